@@ -47,8 +47,9 @@ std::vector<std::string> idle_options(const RenderOptions& given, const Scene& s
   const bool is_global = traits_of(integrator).is_global;
   if (is_global || !traits_of(integrator).is_recursive) {
     const std::string why = integrator == Integrator::path ? "paths end by chance, or as --path-length says"
-                            : is_global                    ? "photons and rays end by chance"
-                                        : fmt::format("the integrator {} follows no ray beyond a hit", name);
+                            : integrator == Integrator::photons
+                                ? "photons and rays end by chance"
+                                : fmt::format("the integrator {} follows no ray beyond a hit", name);
     if (given.depth) idle("--depth", why);
     if (given.threshold) idle("--threshold", why);
   }

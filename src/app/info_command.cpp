@@ -5,7 +5,9 @@
 #include "app/scene_lookup.h"
 #include "io/key_reference.h"
 #include "scene/effects.h"
+#include "scene/warnings.h"
 #include "text/spelling.h"
+#include "trace/radiosity_kernel.h"
 #include "trace/world.h"
 
 #include <fmt/format.h>
@@ -86,8 +88,22 @@ std::string render_text(const Scene& scene) {
     text += fmt::format(", {} photons{}, {} nearest{}", photons.count, photons.progressive ? " a sample" : "",
                         photons.nearest, photons.gather ? ", final gathering" : "");
   }
+  if (choices.integrator == Integrator::radiosity)
+    text += fmt::format(", until {:g} of the light is unshot", choices.radiosity.tolerance);
   if (choices.tolerance > 0) text += fmt::format(", fewer where known to {:g}", choices.tolerance);
   if (choices.numerics == Numerics::naive) text += fmt::format(", naive numerics with epsilon {:g}", choices.epsilon);
+  return text;
+}
+
+/// What radiosity makes of the scene, and what it refuses or leaves out.
+std::string patches_text(const Scene& scene) {
+  std::string text = "\npatches\n";
+  if (const auto error = why_no_patches(scene))
+    return text + row("  refused", error->message) + row("  instead", error->hint);
+  const int count = Patches(scene, radiosity_settings_of(scene).patches).size();
+  text += row("  count", std::to_string(count));
+  text += row("  memory", fmt::format("at most {:.1f} MB of form factors", 16e-6 * count * count));
+  for (const std::string& loss : collected(patch_losses(scene))) text += row("  left out", loss);
   return text;
 }
 
@@ -126,6 +142,7 @@ std::string info_text(const Scene& scene, const std::string& path) {
     if (effect == Effect::refraction && !world.bodies.empty())
       text += row("", "bodies may lie in one another or hold the eye: rays know all that they are inside of");
   }
+  if (scene.render.integrator == Integrator::radiosity) text += patches_text(scene);
   return text + structures_text(scene, world);
 }
 

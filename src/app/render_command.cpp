@@ -8,7 +8,9 @@
 #include "app/statistics_json.h"
 #include "image/image_file.h"
 #include "image/quick_image.h"
+#include "scene/warnings.h"
 #include "text/file.h"
+#include "trace/patches.h"
 
 #include <fmt/format.h>
 
@@ -165,6 +167,8 @@ ExitCode render_command(const RenderOptions& options) {
   if (options.statistics)
     if (const auto claimed = claim_output(*options.statistics); !claimed) return fail(claimed.error());
   if (!options.quiet) warn(idle_options(options, scene));
+  if (!options.quiet && choices.integrator == Integrator::radiosity)
+    for (const std::string& loss : collected(patch_losses(scene))) note("raywalk render: warning: " + loss);
 
   const Interrupt interrupt(Patience::full);
   Result<Rendering> rendering;

@@ -225,7 +225,8 @@ PovText format_pov(const Scene& scene) {
   pov.text += ObjectText(scene, losses)();
   if (scene.sky) losses.insert("the sky: only the background below it");
   if (scene.encoding == Encoding::truncated) losses.insert("8-bit pictures without the sRGB curve");
-  if (traits_of(scene.render.integrator).is_global) losses.insert("light from everywhere (path tracing, photons)");
+  if (traits_of(scene.render.integrator).is_global)
+    losses.insert("light from everywhere (path tracing, photons, radiosity)");
   pov.left_out.assign(losses.begin(), losses.end());
   std::string said;
   for (const std::string& loss : losses) said += "// POV-Ray renders without: " + loss + "\n";

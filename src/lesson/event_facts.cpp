@@ -78,8 +78,30 @@ Value ending_of(const Moment& at) {
   return Nothing{};
 }
 
+/// Of the patch that a line of radiosity is about.
+const int* patch_object_of(const Moment& at) {
+  const int* object = nullptr;
+  std::visit(
+      [&](const auto& detail) {
+        using Detail = std::decay_t<decltype(detail)>;
+        if constexpr (std::is_same_v<Detail, PatchTaken> || std::is_same_v<Detail, PatchShot> ||
+                      std::is_same_v<Detail, PatchInFront> || std::is_same_v<Detail, FormFactorFound> ||
+                      std::is_same_v<Detail, LightArrived> || std::is_same_v<Detail, PatchEmptied>)
+          object = &detail.object;
+      },
+      at.event.detail);
+  return object;
+}
+
+template <class Of>
+Value factor(const Moment& at, Of of) {
+  const auto* found = at.is<FormFactorFound>();
+  return found != nullptr ? Value(of(*found)) : Value(Nothing{});
+}
+
 /// For a search: what was hit. For a line of SHADE, or its call: what is shaded.
 Value object_of(const Moment& at) {
+  if (const int* object = patch_object_of(at)) return object_name(at.scene, *object);
   const auto* found = at.is<Found>();
   if (found != nullptr) return found->object >= 0 ? Value(object_name(at.scene, found->object)) : Value(Nothing{});
   const int frame = at.timeline.current_frame(at.position);
@@ -178,6 +200,7 @@ constexpr std::array facts{
          }},
     Fact{"holds",
          [](const Moment& at) -> Value {
+           if (const auto* unshot = at.is<UnshotLight>()) return unshot->holds;
            const auto* decided = at.is<Decided>();
            return decided != nullptr ? Value(decided->holds) : Value(Nothing{});
          }},
@@ -231,6 +254,30 @@ constexpr std::array facts{
          [](const Moment& at) { return photons(at, [](const PhotonsFound& f) { return f.caustic.irradiance; }); }},
     Fact{"other_light",
          [](const Moment& at) { return photons(at, [](const PhotonsFound& f) { return f.other.irradiance; }); }},
+    Fact{"factor", [](const Moment& at) { return factor(at, [](const FormFactorFound& f) { return f.factor; }); }},
+    Fact{"crossed", [](const Moment& at) { return factor(at, [](const FormFactorFound& f) { return f.crossed; }); }},
+    Fact{"uncrossed",
+         [](const Moment& at) { return factor(at, [](const FormFactorFound& f) { return f.uncrossed; }); }},
+    Fact{"visible", [](const Moment& at) { return factor(at, [](const FormFactorFound& f) { return f.visible; }); }},
+    Fact{"arrived",
+         [](const Moment& at) -> Value {
+           const auto* arrived = at.is<LightArrived>();
+           return arrived != nullptr ? Value(arrived->arrived) : Value(Nothing{});
+         }},
+    Fact{"patches",
+         [](const Moment& at) -> Value {
+           const auto* made = at.is<PatchesMade>();
+           return made != nullptr ? Value(1.0 * made->count) : Value(Nothing{});
+         }},
+    Fact{"shots",
+         [](const Moment& at) -> Value {
+           const auto* unshot = at.is<UnshotLight>();
+           return unshot != nullptr ? Value(1.0 * unshot->shots) : Value(Nothing{});
+         }},
+    Fact{"unshot",
+         [](const Moment& at) -> Value {
+           return at.timeline.of_radiosity() ? Value(at.timeline.unshot_at(at.position)) : Value(Nothing{});
+         }},
 };
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <map>
 #include <mutex>
 #include <new>
@@ -77,7 +78,11 @@ Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSiz
   const double all_photons =
       photons ? static_cast<double>(photons->settings().count) * (in_between ? settings.sampling.per_pixel : 1) : 0;
   std::atomic<std::uint64_t> sent{0};
+  std::atomic<double> solved{0};  // of radiosity's shots
   const auto done_of = [&](double all_samples) {
+    constexpr double of_shots = 0.8;  // of a picture's time, roughly
+    if (picture.kernel().radiosity())
+      return of_shots * solved + (1 - of_shots) * static_cast<double>(taken) / all_samples;
     constexpr double photon = 0.25;  // of a sample's time, roughly
     return (static_cast<double>(taken) + photon * static_cast<double>(sent)) / (all_samples + photon * all_photons);
   };
@@ -136,8 +141,19 @@ Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSiz
     sent += static_cast<std::uint64_t>(more);
     reporter.report(std::min(almost, done_of(static_cast<double>(picture.expected()))));
   };
+  const auto shoot_light = [&] {
+    Shooting shooting{in_threads};
+    const double least = std::clamp(scene.render.radiosity.tolerance, 1e-9, 0.5);
+    shooting.shot = [&](double share) {
+      solved = std::clamp(std::log(std::max(share, least)) / std::log(least), 0.0, 1.0);
+      reporter.report(std::min(almost, done_of(static_cast<double>(picture.expected()))));
+    };
+    picture.kernel().shoot_light(settings.stop, shooting);
+    solved = 1;
+  };
   const auto trace_samples = [&] {
     try {
+      shoot_light();
       rendering.statistics +=
           picture.kernel().send_photons(settings.sampling.seed, from, to, settings.stop, in_threads, count_sent);
     } catch (const Stopped&) {
@@ -195,6 +211,8 @@ Rendering stopped_before(const RenderSettings& settings) {
 
 Result<Rendering> render_pixels(const Scene& scene, const RenderSettings& settings, ImageSize size, ImageSize whole) {
   if (const auto error = why_too_deep(scene.limits.depth)) return tl::unexpected(*error);
+  if (scene.render.integrator == Integrator::radiosity)
+    if (const auto error = why_no_patches(scene, settings.stop)) return tl::unexpected(*error);
   RenderSettings of_picture = settings;
   of_picture.size = size;
   if (const auto error = why_too_large(memory_needed(scene, of_picture), "")) return tl::unexpected(*error);

@@ -104,8 +104,9 @@ EffectUse antialiasing(int samples_per_pixel) {
 }
 
 EffectUse indirect_light(const Scene& scene, Integrator integrator) {
-  if (!traits_of(integrator).is_recursive) return left_out(integrator, "follows no ray beyond the first hit");
-  if (!traits_of(integrator).is_global) return {false, "none: Whitted's algorithm follows mirrors and glass only"};
+  const IntegratorTraits& traits = traits_of(integrator);
+  if (!traits.is_recursive && !traits.is_global) return left_out(integrator, "follows no ray beyond the first hit");
+  if (!traits.is_global) return {false, "none: Whitted's algorithm follows mirrors and glass only"};
   if (scene.render.path_length == 1) return {false, "none: paths end at what is seen"};
   return use_if(
       scene,

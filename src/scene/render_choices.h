@@ -19,6 +19,7 @@ enum class Integrator {
   distributed,  ///< also gloss, translucency, penumbras, depth of field and motion blur (Cook, Porter, Carpenter 1984)
   path,         ///< global illumination: path tracing (Kajiya 1986)
   photons,      ///< the same by photon mapping (Jensen 1996)
+  radiosity,    ///< light between matt surfaces, from patch to patch (Goral et al. 1984)
 };
 /// What is to be known of an integrator before it runs. Its procedure is in trace.
 struct IntegratorTraits {
@@ -49,7 +50,12 @@ inline constexpr std::array integrators{
                      .name = "photons",
                      .follows = "light from everywhere, sent from the lights: caustics too",
                      .draws_random = true,
-                     .is_global = true}};
+                     .is_global = true},
+    IntegratorTraits{.integrator = Integrator::radiosity,
+                     .name = "radiosity",
+                     .follows = "light between matt surfaces, cut into patches",
+                     .is_global = true,
+                     .is_recursive = false}};
 [[nodiscard]] constexpr const IntegratorTraits& traits_of(Integrator integrator) {
   return integrators[static_cast<std::size_t>(integrator)];
 }
@@ -78,6 +84,14 @@ struct PhotonChoices {
   friend bool operator==(const PhotonChoices&, const PhotonChoices&) = default;
 };
 
+/// Of radiosity.
+struct RadiosityChoices {
+  std::optional<double> patch{};  ///< no side of a patch is longer; left out, a twelfth of the scene
+  double tolerance = 0.005;       ///< as much of the light may stay unshot, >= 0
+  int shots = 100000;             ///< after as many it ends in any case, >= 1
+  friend bool operator==(const RadiosityChoices&, const RadiosityChoices&) = default;
+};
+
 /// How a scene is rendered, unless the command line says otherwise. None of it changes what the scene is.
 struct RenderChoices {
   Integrator integrator = Integrator::automatic;
@@ -88,6 +102,7 @@ struct RenderChoices {
   std::optional<int> path_length{};     ///< maximum number of rays of a path from the eye to a light, first and last
                                         ///< included; absent: no limit
   PhotonChoices photons{};
+  RadiosityChoices radiosity{};
   Numerics numerics = Numerics::robust;
   EffectSwitches switches{};
   double epsilon = default_epsilon;  ///< of naive numerics: the offset of ray origins from a surface, in scene units

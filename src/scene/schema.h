@@ -97,6 +97,14 @@ void describe(Fields& f, PhotonChoices& photons) {
 }
 
 template <class Fields>
+void describe(Fields& f, RadiosityChoices& radiosity) {
+  f.about("Of the radiosity integrator: surfaces are cut into patches, which shoot their light at each other.");
+  f.key("patch", radiosity.patch, extent, "No side of a patch is longer; left out, a twelfth of the scene.");
+  f.key("tolerance", radiosity.tolerance, not_negative, "This share of the first light may stay unshot.");
+  f.key("shots", radiosity.shots, shot_count, "After as many shots it ends in any case.");
+}
+
+template <class Fields>
 void describe(Fields& f, RenderChoices& render) {
   f.about("How the picture is made; what `raywalk render` is told comes before it.");
   f.key("integrator", render.integrator, integrators, integrator_sentence());
@@ -109,6 +117,7 @@ void describe(Fields& f, RenderChoices& render) {
   f.key("path_length", render.path_length, path_length_count,
         "Of the path integrator: most rays between the eye and a light; left out, no limit.");
   f.key("photons", render.photons, table);
+  f.key("radiosity", render.radiosity, table);
   f.key("numerics", render.numerics, numerics,
         "How crossings are computed: with error bounds, or as books print them, to see where they fail.");
   f.key("epsilon", render.epsilon, extent_or_zero, "Of naive numerics: how far from a surface rays start.");

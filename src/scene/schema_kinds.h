@@ -124,7 +124,7 @@ struct Whole {
 };
 inline constexpr Whole cell_count{1, 10001}, pixel_count{1, 32768, pixels}, depth_count{1, 1000},
     sample_count{1, 1 << 20}, light_grid_count{1, 256}, path_length_count{1, 1000}, photon_count{1, 100000000},
-    nearest_count{2, 10000};
+    nearest_count{2, 10000}, shot_count{1, 10000000};
 
 struct Flag {
   [[nodiscard]] static std::string expected() { return "true or false"; }

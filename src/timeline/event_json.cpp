@@ -167,7 +167,87 @@ class EventWriter {
     to_["added"] = triple(photons.added);
   }
 
+  void operator()(const PatchesMade& made) const {
+    to_["what"] = "patches_made";
+    to_["count"] = made.count;
+    to_["flat"] = made.flat;
+    if (made.lights) to_["unshot"] = triple(made.unshot);
+  }
+
+  void operator()(const UnshotLight& light) const {
+    to_["what"] = "unshot_light";
+    to_["holds"] = light.holds;
+    to_["shots"] = light.shots;
+    to_["unshot_share"] = light.share;
+    to_["tolerance"] = light.tolerance;
+  }
+
+  void operator()(const PatchTaken& taken) const {
+    to_["what"] = "patch_taken";
+    patch(taken.patch, taken.object);
+    to_["radiosity"] = triple(taken.radiosity);
+    to_["share_of_unshot"] = taken.share;
+  }
+
+  void operator()(const PatchShot& shot) const {
+    to_["what"] = "patch_shot";
+    patch(shot.patch, shot.object);
+    if (shot.others > 0) to_["others"] = shot.others;
+    to_["unshot_share"] = shot.share;
+    if (!shot.lights) return;
+    to_["lights"] = Json::array();
+    for (const PatchLight& each : *shot.lights) to_["lights"].push_back(light_of(each));
+  }
+
+  void operator()(const PatchInFront& front) const {
+    to_["what"] = "patch_in_front";
+    patch(front.patch, front.object);
+  }
+
+  void operator()(const FormFactorFound& found) const {
+    to_["what"] = "form_factor_found";
+    to_["from"] = found.from;
+    patch(found.to, found.object);
+    to_["crossed"] = found.crossed;
+    to_["uncrossed"] = found.uncrossed;
+    to_["length"] = found.length;
+    to_["factor"] = found.factor;
+    to_["visible"] = found.visible;
+  }
+
+  void operator()(const LightArrived& arrived) const {
+    to_["what"] = "light_arrived";
+    patch(arrived.patch, arrived.object);
+    to_["arrived"] = triple(arrived.arrived);
+    to_["reflectance"] = triple(arrived.reflectance);
+    to_["light"] = light_of(arrived.light);
+  }
+
+  void operator()(const PatchEmptied& emptied) const {
+    to_["what"] = "patch_emptied";
+    patch(emptied.patch, emptied.object);
+    to_["light"] = light_of(emptied.light);
+    to_["unshot_share"] = emptied.share;
+  }
+
+  void operator()(const LightLookedUp& looked) const {
+    to_["what"] = "light_looked_up";
+    to_["ray"] = looked.ray;
+    if (looked.patch >= 0) to_["patch"] = looked.patch;
+    to_["irradiance"] = triple(looked.irradiance);
+    to_["albedo"] = triple(looked.albedo);
+    to_["emission"] = triple(looked.emission);
+    to_["shade"] = triple(looked.shade);
+  }
+
  private:
+  [[nodiscard]] static Json light_of(const PatchLight& light) {
+    return {{"irradiance", triple(light.irradiance)}, {"unshot", triple(light.unshot)}};
+  }
+  void patch(int index, int of) const {
+    to_["patch"] = index;
+    object(of);
+  }
   void circle(std::string_view name, const PhotonCircle& of) const {
     to_[std::string(name)] = {
         {"radius", of.radius}, {"count", of.count}, {"power", triple(of.power)}, {"irradiance", triple(of.irradiance)}};

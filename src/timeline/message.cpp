@@ -363,6 +363,62 @@ class Describer {
     return {"walk.photons_added", {{"colour", photons.added}, {"object", shaded()}}};
   }
 
+  [[nodiscard]] Message describe(const Event& /*event*/, const PatchesMade& made) const {
+    if (!made.lights) return {made.flat ? "walk.edges_cut" : "walk.patches_cut", {{"count", made.count}}};
+    if (is_black(made.unshot)) return {"walk.patches_dark", {}};
+    return {"walk.patches_lit", {{"colour", made.unshot}}};
+  }
+
+  [[nodiscard]] Message describe(const Event& /*event*/, const UnshotLight& light) const {
+    if (light.holds) return {"walk.unshot_light", {{"share", Fraction{light.share}}}};
+    return {"walk.unshot_rest", {{"shots", light.shots}, {"share", Fraction{light.share}}}};
+  }
+
+  [[nodiscard]] Message describe(const Event& /*event*/, const PatchTaken& taken) const {
+    return {"walk.patch_taken", {{"object", object(taken.object)}, {"share", Fraction{taken.share}}}};
+  }
+
+  [[nodiscard]] Message describe(const Event& /*event*/, const PatchShot& shot) const {
+    if (shot.others > 0) return {"walk.shots_others", {{"count", shot.others}, {"share", Fraction{shot.share}}}};
+    return {shot.lights ? "walk.patch_shot" : "walk.patch_shoots",
+            {{"object", object(shot.object)}, {"share", Fraction{shot.share}}}};
+  }
+
+  [[nodiscard]] Message describe(const Event& /*event*/, const PatchInFront& front) const {
+    return {"walk.patch_in_front", {{"object", object(front.object)}}};
+  }
+
+  [[nodiscard]] Message describe(const Event& /*event*/, const FormFactorFound& found) const {
+    if (found.visible == 0) return {"walk.factor_blocked", {{"object", object(found.object)}}};
+    return {found.visible < 1 ? "walk.factor_partly" : "walk.factor_found",
+            {{"object", object(found.object)},
+             {"factor", found.factor},
+             {"crossed", found.crossed},
+             {"uncrossed", found.uncrossed},
+             {"share", Fraction{found.visible}}}};
+  }
+
+  [[nodiscard]] Message describe(const Event& /*event*/, const LightArrived& arrived) const {
+    if (is_black(arrived.arrived)) return {"walk.no_light_arrives", {{"object", object(arrived.object)}}};
+    if (is_black(arrived.reflectance))
+      return {"walk.light_absorbed", {{"object", object(arrived.object)}, {"colour", arrived.arrived}}};
+    return {"walk.light_arrives",
+            {{"object", object(arrived.object)},
+             {"colour", arrived.arrived},
+             {"share", Fraction{max_component(arrived.reflectance)}}}};
+  }
+
+  [[nodiscard]] Message describe(const Event& /*event*/, const PatchEmptied& emptied) const {
+    return {"walk.patch_emptied", {{"object", object(emptied.object)}, {"share", Fraction{emptied.share}}}};
+  }
+
+  [[nodiscard]] Message describe(const Event& /*event*/, const LightLookedUp& looked) const {
+    const int met = current().object;
+    if (met < 0) return {"walk.looked_up_nothing", {{"colour", looked.shade}}};
+    if (looked.patch < 0) return {"walk.looked_up_dark", {{"object", object(met)}, {"colour", looked.shade}}};
+    return {"walk.looked_up", {{"object", object(met)}, {"irradiance", looked.irradiance}, {"colour", looked.shade}}};
+  }
+
   static constexpr double nearly_all = 0.995;  ///< a weight that reads as 100%
   const Scene& scene_;
   const Timeline& timeline_;

@@ -19,6 +19,12 @@ Timeline record_in(const Scene& scene, ImageSize size, ImageSize whole, const Pi
     static_cast<void>(kernel.send_photons(how.sampling.seed, 0, how.sampling.per_pixel, how.stop));
     kernel.photons()->watch_photons(how.photons, recorder, how.stop);
   }
+  if (kernel.radiosity()) {
+    kernel.shoot_light(how.stop);
+    Shooting watched;
+    if (flat) watched.walked = how.shots, watched.single = how.single_shots;
+    kernel.radiosity()->watch_shots(watched, recorder, how.stop);
+  }
   // Pixel by pixel, each with all its samples, so that one can watch them accumulate.
   for (int row = block.row_begin; row < block.row_end; ++row)
     for (int column = block.column_begin; column < block.column_end; ++column)
@@ -26,6 +32,7 @@ Timeline record_in(const Scene& scene, ImageSize size, ImageSize whole, const Pi
         kernel.watched(camera, {column, column + 1, row, row + 1, sample, 1, 1, how.stop}, recorder);
   Timeline timeline = recorder.take(size);
   if (kernel.photons()) timeline.set_photons(kernel.photons()->shared_maps(), flat);
+  if (kernel.radiosity()) timeline.set_patches(kernel.radiosity()->patches(), flat);
   return timeline;
 }
 

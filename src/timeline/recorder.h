@@ -24,6 +24,8 @@ struct Recording {
   std::optional<Fault> fault{};  ///< injected into the tracer
   WorldCache* worlds = nullptr;  ///< of the scene; null: a world is built for this recording alone
   int photons = 100;             ///< so many are followed line by line, the others in one step
+  int shots = 6;                 ///< of patches in the plan: so many are walked line by line,
+  int single_shots = 150;        ///< and so many more in one step each
   Stop stop{};                   ///< cancels it: the record functions then throw Stopped
 };
 

@@ -34,12 +34,18 @@ bool is_total(const EventDetail& detail) {
 
 int step_over(const Timeline& timeline, int position) {
   if (position >= timeline.steps()) return position;
+  if (timeline.event(position).line == Line::shoot_light) return timeline.end_of_shot(position);
   const FrameRecord* called = innermost(timeline, position + 1);
   return called != nullptr && called->called_at == position + 1 ? called->returned_at : position + 1;
 }
 
 int step_back_over(const Timeline& timeline, int position) {
   if (position <= 0) return position;
+  if (timeline.event(position - 1).line == Line::forget_unshot_light) {
+    int call = position - 1;
+    while (timeline.event(call).line != Line::shoot_light) --call;
+    return call;
+  }
   const int executed = timeline.current_frame(position);
   const bool returned = executed >= 0 && frame_of(timeline, executed).returned_at == position;
   return returned ? frame_of(timeline, executed).called_at - 1 : position - 1;

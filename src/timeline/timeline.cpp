@@ -173,6 +173,26 @@ Timeline::Timeline(std::vector<Event> events, ImageSize image) : image_(image), 
                   {stored.position, stored.normal, stored.power, stored.history, stored.kept, after});
             },
             [&](const PhotonsFound&) {},
+            [&](const PatchesMade& made) {
+              ray = -1;
+              if (made.lights) lights_known_.push_back(after);
+            },
+            [&](const UnshotLight&) { ray = -1; },
+            [&](const PatchTaken&) { ray = -1; },
+            [&](const PatchShot& shot) {
+              ray = -1;
+              if (!shot.lights) return;
+              lights_known_.push_back(after);
+              shot_ends_.push_back(after);
+            },
+            [&](const PatchInFront&) { ray = -1; },
+            [&](const FormFactorFound&) { ray = -1; },
+            [&](const LightArrived&) { ray = -1; },
+            [&](const PatchEmptied&) {
+              ray = -1;
+              shot_ends_.push_back(after);
+            },
+            [&](const LightLookedUp&) {},
             [&](const PhotonsAdded& photons) {
               frames_[static_cast<std::size_t>(innermost)].returned += photons.added;
             },
@@ -195,6 +215,34 @@ Timeline::Timeline(std::vector<Event> events, ImageSize image) : image_(image), 
 
 const PhotonMaps* Timeline::photons() const {
   return photon_maps_ && !photon_maps_->empty() ? photon_maps_->data() : nullptr;
+}
+
+std::vector<PatchLight> Timeline::lights_at(int position) const {
+  const auto known = std::upper_bound(lights_known_.begin(), lights_known_.end(), position);
+  if (known == lights_known_.begin()) return {};
+  const int from = *std::prev(known);
+  const EventDetail& last = event(from - 1).detail;
+  const auto* made = std::get_if<PatchesMade>(&last);
+  std::vector<PatchLight> lights = made != nullptr ? *made->lights : *std::get<PatchShot>(last).lights;
+  for (int i = from; i < position; ++i) {
+    const auto set = [&](int patch, const PatchLight& light) { lights[static_cast<std::size_t>(patch)] = light; };
+    if (const auto* arrived = std::get_if<LightArrived>(&event(i).detail)) set(arrived->patch, arrived->light);
+    if (const auto* emptied = std::get_if<PatchEmptied>(&event(i).detail)) set(emptied->patch, emptied->light);
+  }
+  return lights;
+}
+
+double Timeline::unshot_at(int position) const {
+  const auto end = std::upper_bound(shot_ends_.begin(), shot_ends_.end(), position);
+  if (end == shot_ends_.begin()) return 1;
+  const EventDetail& last = event(*std::prev(end) - 1).detail;
+  const auto* emptied = std::get_if<PatchEmptied>(&last);
+  return emptied != nullptr ? emptied->share : std::get<PatchShot>(last).share;
+}
+
+int Timeline::end_of_shot(int position) const {
+  const auto end = std::upper_bound(shot_ends_.begin(), shot_ends_.end(), position);
+  return end == shot_ends_.end() ? -1 : *end;
 }
 
 const Event* Timeline::just_run(int position) const { return position > 0 ? &event(position - 1) : nullptr; }
@@ -240,15 +288,18 @@ int Timeline::previous_ray(int position) const {
 }
 
 int Timeline::next_pixel(int position) const {
+  if (const int shot = end_of_shot(position); shot >= 0) return shot;
   const auto next = std::upper_bound(pixels_.begin(), pixels_.end(), position,
                                      [](int p, const PixelRecord& pixel) { return p < pixel.done_at; });
   return next == pixels_.end() ? steps() : next->done_at;
 }
 
 int Timeline::previous_pixel(int position) const {
+  const auto shot = std::lower_bound(shot_ends_.begin(), shot_ends_.end(), position);
   const auto before = std::lower_bound(pixels_.begin(), pixels_.end(), position,
                                        [](const PixelRecord& pixel, int p) { return pixel.done_at < p; });
-  return before == pixels_.begin() ? 0 : std::prev(before)->done_at;
+  if (before != pixels_.begin()) return std::prev(before)->done_at;
+  return shot == shot_ends_.begin() ? 0 : *std::prev(shot);
 }
 
 }  // namespace raywalk

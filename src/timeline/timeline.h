@@ -15,6 +15,7 @@
 
 namespace raywalk {
 
+class Patches;
 struct PhotonMaps;
 
 /// A ray of the recording, or the stub of one that a limit prevented. Positions are those after the event: a ray formed
@@ -71,6 +72,8 @@ class Timeline {
   [[nodiscard]] bool of_paths() const { return !pseudocode().recursive; }
   /// Whether it is a recording of PHOTON MAPPING.
   [[nodiscard]] bool of_photons() const { return pseudocode().lines.front().line == Line::for_each_photon; }
+  /// Whether it is a recording of RADIOSITY.
+  [[nodiscard]] bool of_radiosity() const { return pseudocode().lines.front().line == Line::cut_patches; }
   /// The pseudocode whose lines it walks.
   [[nodiscard]] const Pseudocode& pseudocode() const {
     return events_.empty() ? pseudocodes.front() : pseudocode_with(events_.front().line);
@@ -91,6 +94,18 @@ class Timeline {
   [[nodiscard]] int all_photons_at() const { return all_photons_at_; }
   /// Whether it runs in a flat world.
   [[nodiscard]] bool is_flat() const { return flat_; }
+  /// Of RADIOSITY; else null.
+  [[nodiscard]] const Patches* patches() const { return patches_.get(); }
+  void set_patches(std::shared_ptr<const Patches> patches, bool flat) {
+    patches_ = std::move(patches);
+    flat_ = flat;
+  }
+  /// The light of each patch at `position`; empty before they have any.
+  [[nodiscard]] std::vector<PatchLight> lights_at(int position) const;
+  /// The share of the first light that is unshot at `position`; 1 at first.
+  [[nodiscard]] double unshot_at(int position) const;
+  /// The position after the first shot that ends behind `position`, or -1.
+  [[nodiscard]] int end_of_shot(int position) const;
   void set_photons(std::shared_ptr<const std::vector<PhotonMaps>> maps, bool flat) {
     photon_maps_ = std::move(maps);
     flat_ = flat;
@@ -151,6 +166,9 @@ class Timeline {
   std::vector<StoredPhoton> stored_photons_;
   std::shared_ptr<const std::vector<PhotonMaps>> photon_maps_;
   int all_photons_at_ = 0;
+  std::shared_ptr<const Patches> patches_;
+  std::vector<int> shot_ends_;     ///< positions, ascending
+  std::vector<int> lights_known_;  ///< positions after events that hold the light of all patches, ascending
   bool flat_ = false;
 };
 

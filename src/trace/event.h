@@ -7,6 +7,7 @@
 #include "trace/optics.h"
 #include "trace/pseudocode.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -268,9 +269,87 @@ struct PhotonsAdded {
   Rgbd added;  ///< to the pixel
 };
 
-using EventDetail = std::variant<PixelBegun, RayFormed, RayNotFormed, Found, Decided, ShadeCalled, ShadeComputed,
-                                 PixelPut, BackgroundAdded, EmissionAdded, LightAdded, DirectionChosen, SurvivalDecided,
-                                 PhotonBegun, PhotonStored, PhotonsFound, PhotonsAdded>;
+// Radiosity only, from here on.
+
+/// The light of a patch. Radiosities and irradiances: powers per area, in a flat world per length.
+struct PatchLight {
+  Rgbd irradiance{0.0};  ///< what has arrived so far
+  Rgbd unshot{0.0};      ///< the radiosity that it has not sent on yet
+};
+
+/// cut_patches, light_patches. `unshot`: the power of all patches together.
+struct PatchesMade {
+  int count;
+  bool flat;
+  Rgbd unshot{0.0};
+  std::shared_ptr<const std::vector<PatchLight>> lights{};  ///< of light_patches: of each patch
+};
+
+/// while_unshot_light.
+struct UnshotLight {
+  bool holds;
+  int shots;         ///< so far
+  double share;      ///< of the first light: what is still unshot
+  double tolerance;  ///< below which the rest is let be
+};
+
+/// take_patch.
+struct PatchTaken {
+  int patch, object;
+  Rgbd radiosity;  ///< unshot
+  double share;    ///< of all unshot light: what this patch has
+};
+
+/// shoot_light. `lights`: where the shot, or all that were left, is not walked; what the patches have then.
+struct PatchShot {
+  int patch, object;
+  int others = 0;    ///< not 0: as many shots, from this one on, went together
+  double share = 0;  ///< of the first light: what is unshot after these
+  std::shared_ptr<const std::vector<PatchLight>> lights{};
+};
+
+/// for_each_patch, in front of the one that shoots.
+struct PatchInFront {
+  int patch, object;
+};
+
+/// compute_form_factor: how much of what `from` sends arrives at `to`.
+struct FormFactorFound {
+  int from, to, object;
+  Vec2d from_a{0.0}, from_b{0.0}, to_a{0.0}, to_b{0.0};  ///< in a flat world, what of both sees the other
+  double crossed = 0, uncrossed = 0, length = 0;         ///< of the strings; of `from`
+  double factor = 0;                                     ///< as if nothing stood between
+  double visible = 1;                                    ///< the share that nothing keeps away
+};
+
+/// add_what_arrives.
+struct LightArrived {
+  int patch, object;
+  Rgbd arrived;      ///< irradiance
+  Rgbd reflectance;  ///< kd
+  PatchLight light;  ///< of the patch, with it
+};
+
+/// forget_unshot_light.
+struct PatchEmptied {
+  int patch, object;
+  PatchLight light;
+  double share;  ///< of the first light: what is still unshot
+};
+
+/// look_up_light.
+struct LightLookedUp {
+  int ray;
+  int patch;  ///< where it is; -1: the ray met no patch
+  bool flat;
+  Rgbd irradiance, albedo, emission, shade;
+};
+
+using EventDetail =
+    std::variant<PixelBegun, RayFormed, RayNotFormed, Found, Decided, ShadeCalled, ShadeComputed, PixelPut,
+                 BackgroundAdded, EmissionAdded, LightAdded, DirectionChosen, SurvivalDecided, PhotonBegun,
+                 PhotonStored, PhotonsFound, PhotonsAdded, PatchesMade, UnshotLight, PatchTaken, PatchShot,
+                 PatchInFront, FormFactorFound, LightArrived, PatchEmptied, LightLookedUp>;
 
 struct Event {
   Line line;

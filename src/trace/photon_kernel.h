@@ -4,15 +4,13 @@
 #include "trace/kernel.h"
 #include "trace/photon_lights.h"
 #include "trace/photon_pass.h"
+#include "trace/run_all.h"
 
 #include <functional>
 #include <memory>
 #include <vector>
 
 namespace raywalk {
-
-/// Calls body(i) once for each i in 0..count - 1, in any order, possibly at the same time.
-using RunAll = std::function<void(int count, const std::function<void(int)>& body)>;
 
 /// Of a scene, in space or in the plane.
 [[nodiscard]] PhotonSettings photon_settings_of(const Scene& scene, bool flat = false);

@@ -8,18 +8,32 @@
 
 namespace raywalk {
 
-/// The procedures of the tracer, those of path tracing, and those of photon mapping.
-enum class Procedure { main_algorithm, shade, path_tracing, follow_path, photon_mapping, follow_photon, gather_light };
+/// The procedures of the tracer, those of path tracing, those of photon mapping, and those of radiosity.
+enum class Procedure {
+  main_algorithm,
+  shade,
+  path_tracing,
+  follow_path,
+  photon_mapping,
+  follow_photon,
+  gather_light,
+  radiosity,
+  shoot_light
+};
 template <>
-inline constexpr Word<Procedure> words_of<Procedure>[] = {
-    {Procedure::main_algorithm, "MAIN ALGORITHM"},       {Procedure::shade, "SHADE (DEPTH, RTNSHADE)"},
-    {Procedure::path_tracing, "PATH TRACING"},           {Procedure::follow_path, "FOLLOW PATH (RTNSHADE)"},
-    {Procedure::photon_mapping, "PHOTON MAPPING"},       {Procedure::follow_photon, "FOLLOW PHOTON (POWER)"},
-    {Procedure::gather_light, "GATHER LIGHT (RTNSHADE)"}};
+inline constexpr Word<Procedure> words_of<Procedure>[] = {{Procedure::main_algorithm, "MAIN ALGORITHM"},
+                                                          {Procedure::shade, "SHADE (DEPTH, RTNSHADE)"},
+                                                          {Procedure::path_tracing, "PATH TRACING"},
+                                                          {Procedure::follow_path, "FOLLOW PATH (RTNSHADE)"},
+                                                          {Procedure::photon_mapping, "PHOTON MAPPING"},
+                                                          {Procedure::follow_photon, "FOLLOW PHOTON (POWER)"},
+                                                          {Procedure::gather_light, "GATHER LIGHT (RTNSHADE)"},
+                                                          {Procedure::radiosity, "RADIOSITY"},
+                                                          {Procedure::shoot_light, "SHOOT LIGHT (PATCH)"}};
 
 /// The lines of the procedures, in the order shown on the screen. Each text is also the comment that heads its
-/// statement in trace/tracer.h, trace/path.h or trace/photons.h; a test holds the two together, and another each to its
-/// translations.
+/// statement in trace/tracer.h, trace/path.h, trace/photons.h or trace/radiosity.h; a test holds the two together, and
+/// another each to its translations.
 enum class Line {
   for_each_pixel,
   form_primary_ray,
@@ -82,6 +96,21 @@ enum class Line {
   gather_choose_direction,
   gather_if_path_survives,
   gather_form_next_ray,
+  // Radiosity's.
+  cut_patches,
+  light_patches,
+  while_unshot_light,
+  take_patch,
+  shoot_light,
+  radiosity_for_each_pixel,
+  radiosity_form_primary_ray,
+  radiosity_find_closest_intersection,
+  look_up_light,
+  radiosity_put_final_shade,
+  for_each_patch,
+  compute_form_factor,
+  add_what_arrives,
+  forget_unshot_light,
 };
 
 struct PseudocodeLine {
@@ -167,14 +196,33 @@ inline constexpr std::array<PseudocodeLine, photon_line_count> photon_pseudocode
     {Line::gather_form_next_ray, "form_next_ray", Procedure::gather_light, 2, "Form next ray"},
 }};
 
+inline constexpr int radiosity_line_count = 14;
+inline constexpr std::array<PseudocodeLine, radiosity_line_count> radiosity_pseudocode{{
+    {Line::cut_patches, "cut_patches", Procedure::radiosity, 0, "Cut surfaces into patches"},
+    {Line::light_patches, "light_patches", Procedure::radiosity, 0, "Give patches their own light"},
+    {Line::while_unshot_light, "while_unshot_light", Procedure::radiosity, 0, "While there is unshot light"},
+    {Line::take_patch, "take_patch", Procedure::radiosity, 1, "Take patch with most of it"},
+    {Line::shoot_light, "shoot_light", Procedure::radiosity, 1, "Shoot light (PATCH)"},
+    {Line::radiosity_for_each_pixel, "for_each_pixel", Procedure::radiosity, 0, "For each pixel"},
+    {Line::radiosity_form_primary_ray, "form_primary_ray", Procedure::radiosity, 1, "Form primary ray"},
+    {Line::radiosity_find_closest_intersection, "find_closest_intersection", Procedure::radiosity, 1,
+     "Find closest intersection"},
+    {Line::look_up_light, "look_up_light", Procedure::radiosity, 1, "Look up light of patches"},
+    {Line::radiosity_put_final_shade, "put_final_shade", Procedure::radiosity, 1, "Put final shade in pixel"},
+    {Line::for_each_patch, "for_each_patch", Procedure::shoot_light, 0, "For each patch in front"},
+    {Line::compute_form_factor, "compute_form_factor", Procedure::shoot_light, 1, "Compute form factor"},
+    {Line::add_what_arrives, "add_what_arrives", Procedure::shoot_light, 1, "Add what arrives"},
+    {Line::forget_unshot_light, "forget_unshot_light", Procedure::shoot_light, 0, "Forget unshot light"},
+}};
+
 /// The lines of several procedures: of the one that runs once for each pixel, and of those that it calls.
 struct Pseudocode {
   std::span<const PseudocodeLine> lines;
   bool recursive;  ///< the second one calls itself, DEPTH deep
 };
 /// All pseudocodes, in the order of their lines.
-inline constexpr std::array<Pseudocode, 3> pseudocodes{
-    {{pseudocode, true}, {path_pseudocode, false}, {photon_pseudocode, false}}};
+inline constexpr std::array<Pseudocode, 4> pseudocodes{
+    {{pseudocode, true}, {path_pseudocode, false}, {photon_pseudocode, false}, {radiosity_pseudocode, false}}};
 inline constexpr int all_lines_count = static_cast<int>(pseudocodes.back().lines.back().line) + 1;
 
 /// The one that a line belongs to.
@@ -205,6 +253,10 @@ inline constexpr int all_lines_count = static_cast<int>(pseudocodes.back().lines
       return "follow_photon";
     case Procedure::gather_light:
       return "gather_light";
+    case Procedure::radiosity:
+      return "radiosity";
+    case Procedure::shoot_light:
+      return "shoot_light";
   }
   return "";
 }

@@ -40,8 +40,10 @@ SceneKernel<T>::SceneKernel(const Scene& scene, const World<T>& world, const std
                                 : scene.render.integrator),
       kernel_(kernel_for(world)),
       settings_(paths.value_or(path_settings_of(scene))) {
-  if (traits_of(integrator_).is_global) emitters_ = std::make_unique<const Emitters<T>>(world);
+  if (traits_of(integrator_).is_global && integrator_ != Integrator::radiosity)
+    emitters_ = std::make_unique<const Emitters<T>>(world);
   if (integrator_ == Integrator::photons) photons_ = std::make_unique<Photons>(scene, world, *emitters_, flat);
+  if (integrator_ == Integrator::radiosity) radiosity_ = std::make_unique<Radiosity>(scene, world, flat);
 }
 
 template <class T>
@@ -51,6 +53,13 @@ Statistics SceneKernel<T>::send_photons(std::uint64_t seed, int first, int last,
   const std::lock_guard lock(photons_->sending);
   if (photons_->kernel.ready_for(seed, first, last)) return {};
   return photons_->kernel.send(seed, first, last, stop, run_all, sent);
+}
+
+template <class T>
+void SceneKernel<T>::shoot_light(const Stop& stop, const Shooting& shooting) const {
+  if (!radiosity_) return;
+  const std::lock_guard lock(radiosity_->solving);
+  radiosity_->kernel.solve(stop, shooting);
 }
 
 template <class T>
@@ -67,6 +76,13 @@ Statistics SceneKernel<T>::run(const RayGenerator<T>& camera, const PixelBlock& 
     else
       statistics += photons_->kernel(camera, block, put);
     return statistics;
+  }
+  if (radiosity_) {
+    shoot_light(block.stop);
+    if constexpr (Watcher::watches)
+      return radiosity_->kernel.watched(camera, block, observer, put);
+    else
+      return radiosity_->kernel(camera, block, put);
   }
   if constexpr (Watcher::watches)
     return trace_watched(world_, camera, block, put, observer);

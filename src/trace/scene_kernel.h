@@ -5,6 +5,7 @@
 #include "trace/kernel.h"
 #include "trace/path.h"
 #include "trace/photon_kernel.h"
+#include "trace/radiosity_kernel.h"
 
 #include <memory>
 #include <mutex>
@@ -19,7 +20,7 @@ template <class T>
 class SceneKernel {
  public:
   /// `world` is the scene's, and outlives this. `paths`: traces paths so, whatever the scene's integrator. `flat`:
-  /// photons stay in the plane.
+  /// photons and the light of patches stay in the plane.
   SceneKernel(const Scene& scene, const World<T>& world, const std::optional<PathSettings>& paths = std::nullopt,
               bool flat = false);
 
@@ -31,6 +32,11 @@ class SceneKernel {
                           const std::function<void(int photons)>& sent = {}) const;
   /// Null: the scene is traced in another way.
   [[nodiscard]] const PhotonKernel<T>* photons() const { return photons_ ? &photons_->kernel : nullptr; }
+  /// Shoots the light of patches, if the scene is traced by radiosity; else, or without this, whichever block comes
+  /// first does.
+  void shoot_light(const Stop& stop = {}, const Shooting& shooting = {}) const;
+  /// Null: the scene is traced in another way.
+  [[nodiscard]] const RadiosityKernel<T>* radiosity() const { return radiosity_ ? &radiosity_->kernel : nullptr; }
   /// The same observed by `observer`: same bits, same statistics.
   Statistics watched(
       const RayGenerator<T>& camera, const PixelBlock& block, Observer& observer,
@@ -52,6 +58,13 @@ class SceneKernel {
     std::mutex sending;
   };
   std::unique_ptr<Photons> photons_;
+  struct Radiosity {
+    Radiosity(const Scene& scene, const World<T>& world, bool flat)
+        : kernel(scene, world, radiosity_settings_of(scene, flat)) {}
+    RadiosityKernel<T> kernel;
+    std::mutex solving;
+  };
+  std::unique_ptr<Radiosity> radiosity_;
   PathSettings settings_;
 };
 

@@ -22,6 +22,7 @@
 #include "view/picture/room.h"
 #include "view/plan/room.h"
 #include "view/predict/room.h"
+#include "view/radiosity/room.h"
 #include "view/sky/room.h"
 #include "view/space/room.h"
 #include "view/stack/room.h"
@@ -58,14 +59,16 @@ struct State {
   InkRoom ink;
   SkyRoom sky;
   PhotonRoom photons;
+  RadiosityRoom radiosity;
 
   [[nodiscard]] const Scene& scene() const { return document.contents.scene; }
 };
 
 /// All rooms, in the order of their tabs and of their commands in menus.
-using Rooms = Types<WalkRoom, LessonRoom, BugRoom, PlanRoom, SpaceRoom, PictureRoom, TreeRoom, StackRoom, EquationRoom,
-                    LegendRoom, CostRoom, MicroscopeRoom, StructureRoom, DocumentRoom, PredictRoom, ExportRoom,
-                    LinkRoom, LiveRoom, BandRoom, EffectsRoom, FocusRoom, SkyRoom, PhotonRoom, InkRoom, AppearanceRoom>;
+using Rooms =
+    Types<WalkRoom, LessonRoom, BugRoom, PlanRoom, SpaceRoom, PictureRoom, TreeRoom, StackRoom, EquationRoom,
+          LegendRoom, CostRoom, MicroscopeRoom, StructureRoom, DocumentRoom, PredictRoom, ExportRoom, LinkRoom,
+          LiveRoom, BandRoom, EffectsRoom, FocusRoom, SkyRoom, PhotonRoom, RadiosityRoom, InkRoom, AppearanceRoom>;
 
 namespace rooms {
 template <class Room>

@@ -24,7 +24,7 @@ TEST_CASE("experiments go by name and number") {
   const Outcome all = folder.run({"study", "--list"});
   CHECK(all.exit_code == 0);
   for (const char* name : {"numerics", "offsets", "samples", "depth", "endings", "lights", "structures", "adaptive",
-                           "tessellation", "scene", "photons", "sky", "E1", "E10", "E11", "E14"})
+                           "tessellation", "scene", "photons", "sky", "E1", "E10", "radiosity", "E11", "E12", "E14"})
     CHECK_THAT(all.out, contains(name));
   CHECK_THAT(folder.run({"study", "e4", "--list"}).out, contains("depth") && !contains("samples"));
   const Outcome unknown = folder.run({"study", "sampels", "-o", "results"});

@@ -145,6 +145,9 @@ RenderChoices random_choices(Random& random) {
   if (random.chance(0.5)) choices.photons.radius = 0.01 + random.unit();
   choices.photons.gather = random.chance(0.5);
   choices.photons.progressive = random.chance(0.5);
+  if (random.chance(0.5)) choices.radiosity.patch = 0.01 + random.unit();
+  if (random.chance(0.5)) choices.radiosity.tolerance = random.unit();
+  if (random.chance(0.5)) choices.radiosity.shots = 1 + static_cast<int>(random.below(1000));
   if (random.chance(0.5)) choices.numerics = Numerics::naive;
   if (random.chance(0.5)) choices.epsilon = random.unit();
   return choices;

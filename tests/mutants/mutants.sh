@@ -158,3 +158,16 @@ mutant photons_by_half_the_line photons trace/photon_map.cpp '2 * std::sqrt(squa
 mutant photons_heap_upside_down photons trace/photon_map.cpp 'else if (entry < entries_.front())' 'else if (entries_.front() < entry)'
 mutant photons_beyond_the_radius photons trace/photon_map.cpp \
   'if (!(apart <= found.squared_radius) ||' 'if (!(apart <= 2 * found.squared_radius) ||'
+
+# --- Radiosity --------------------------------------------------------------------------------------------------------
+mutant factors_of_what_lies_behind radiosity trace/form_factor.cpp \
+  'const std::vector<Vec3d> one = clipped(first, second[0], area_vector_of(second));' \
+  'const std::vector<Vec3d> one(first.begin(), first.end());'
+mutant factors_by_three_points radiosity trace/form_factor.cpp '!(std::abs(by_five - by_three) > tolerance)' 'true'
+mutant factors_without_the_angle radiosity trace/form_factor.cpp '(h > 0 ? h * portable::atan2(w, h) : 0)' '0'
+mutant factors_without_the_cosine radiosity trace/form_factor.cpp 'sum += cosine * log_between(' 'sum += log_between('
+mutant factors_over_pi radiosity trace/form_factor.cpp 'sum / (2 * std::numbers::pi)' 'sum / std::numbers::pi'
+mutant strings_not_halved radiosity trace/form_factor.h 'return 0.5 * (crossed - uncrossed);' 'return crossed - uncrossed;'
+mutant strings_swapped radiosity trace/form_factor.cpp 'length(other->a - one->a) + length(other->b - one->b)' \
+  'length(other->b - one->a) + length(other->a - one->b)'
+mutant strings_behind radiosity trace/form_factor.cpp 'if (a >= 0 && b >= 0) return edge;' 'return edge;'

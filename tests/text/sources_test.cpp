@@ -272,6 +272,8 @@ TEST_CASE("what is said in other words in English is translated") {
                                    "Follow photon (POWER)",
                                    "GATHER LIGHT (RTNSHADE)",
                                    "Gather light (final)",
+                                   "SHOOT LIGHT (PATCH)",
+                                   "Shoot light (PATCH)",
                                    "Shade (DEPTH+1, REFLSHADE)",
                                    "Shade (DEPTH+1, REFRSHADE)",
                                    "Shade (DEPTH+1, final)",

@@ -52,6 +52,14 @@ inline constexpr std::array<std::string_view, 36> photon_messages{
     "walk.background_counted",   "walk.emission_counted",   "walk.no_photons",          "walk.photons_found",
     "walk.caustic_found",        "walk.both_found",         "walk.photons_add_nothing", "walk.photons_added"};
 
+/// Of RADIOSITY alone.
+inline constexpr std::array<std::string_view, 20> radiosity_messages{
+    "walk.edges_cut",      "walk.patches_cut",    "walk.patches_lit",    "walk.patches_dark",
+    "walk.unshot_light",   "walk.unshot_rest",    "walk.patch_taken",    "walk.patch_shoots",
+    "walk.patch_shot",     "walk.patch_in_front", "walk.factor_found",   "walk.factor_partly",
+    "walk.factor_blocked", "walk.light_arrives",  "walk.light_absorbed", "walk.no_light_arrives",
+    "walk.patch_emptied",  "walk.looked_up",      "walk.looked_up_dark", "walk.looked_up_nothing"};
+
 /// Of scenes under a sky.
 inline constexpr std::array<std::string_view, 10> sky_messages{
     "walk.found_sky",          "walk.found_sky_below",    "walk.sky_aimed_at",   "walk.sky_not_aimed_at",
@@ -69,6 +77,7 @@ inline std::set<std::string> strip_messages() {
     if (id.starts_with("walk.") && std::count(id.begin(), id.end(), '.') == 1 &&
         std::find(path_messages.begin(), path_messages.end(), id) == path_messages.end() &&
         std::find(photon_messages.begin(), photon_messages.end(), id) == photon_messages.end() &&
+        std::find(radiosity_messages.begin(), radiosity_messages.end(), id) == radiosity_messages.end() &&
         std::find(sky_messages.begin(), sky_messages.end(), id) == sky_messages.end() &&
         std::find(image_messages.begin(), image_messages.end(), id) == image_messages.end())
       ids.emplace(id);

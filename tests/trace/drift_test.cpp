@@ -82,6 +82,26 @@ TEST_CASE("every line of pseudocode heads its statement in the photon tracer") {
     CHECK(pseudocode_of(line.line).text == line.text);
     CHECK(&pseudocode_with(line.line) == &pseudocodes[2]);
   }
+  CHECK(static_cast<int>(Line::gather_form_next_ray) == number - 1);
+}
+
+TEST_CASE("every line of pseudocode heads its statement in radiosity") {
+  const std::string source = test::source_of(RAYWALK_SOURCE_DIR "/src/trace/radiosity.h");
+  const auto radiosity_drift = [](const std::string& text) {
+    return test::drift(text, radiosity_pseudocode,
+                       {std::pair{Procedure::radiosity, "void main_algorithm("},
+                        std::pair{Procedure::shoot_light, "void shoot_light("}});
+  };
+  REQUIRE_FALSE(source.empty());
+  CHECK(radiosity_drift(source) == "");
+  CHECK_THAT(radiosity_drift(replaced(source, "// Add what arrives", "// Add light")),
+             contains("SHOOT LIGHT (PATCH): expected `// Add what arrives`, found `// Add light`"));
+  int number = line_count + path_line_count + photon_line_count;
+  for (const PseudocodeLine& line : radiosity_pseudocode) {
+    CHECK(static_cast<int>(line.line) == number++);
+    CHECK(pseudocode_of(line.line).text == line.text);
+    CHECK(&pseudocode_with(line.line) == &pseudocodes[3]);
+  }
   CHECK(number == all_lines_count);
 }
 

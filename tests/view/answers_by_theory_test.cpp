@@ -83,6 +83,12 @@ constexpr std::array theory{
     Theory{"13-whitted-to-path-tracing", "paths", "2"},
     Theory{"13-whitted-to-path-tracing", "one-or-two", "6"},  // in, out, and once round inside, with their mirrors
     Theory{"13-whitted-to-path-tracing", "price", "2"},       // the root of four
+    Theory{"14-radiosity", "dark", "2"},
+    Theory{"14-radiosity", "first", "2"},
+    Theory{"14-radiosity", "strings", "1"},
+    Theory{"14-radiosity", "shadow", "2"},
+    Theory{"14-radiosity", "less", "3"},
+    Theory{"14-radiosity", "colour", "1"},
     Theory{"15-photons", "spot", "2"},
     Theory{"15-photons", "glass", "2"},
     Theory{"15-photons", "circle", "59"},  // 60, without the one on the edge

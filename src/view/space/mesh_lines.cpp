@@ -15,7 +15,7 @@ constexpr std::size_t few_triangles = 1500;
 constexpr double max_lines = 12000;
 
 /// One edge of the mesh, as the pair of its vertices.
-using Edge = std::pair<std::int32_t, std::int32_t>;
+using MeshEdge = std::pair<std::int32_t, std::int32_t>;
 struct EdgeSides {
   Vec3d normal{0.0};  ///< of the first triangle at the edge
   int triangles = 0;
@@ -25,9 +25,9 @@ struct EdgeSides {
 Vec3d corner(const Mesh& mesh, std::int32_t i) { return mesh.positions[static_cast<std::size_t>(i)]; }
 
 /// Every edge with its adjacent triangles, in order of first occurrence.
-std::vector<std::pair<Edge, EdgeSides>> edges_of(const Mesh& mesh) {
+std::vector<std::pair<MeshEdge, EdgeSides>> edges_of(const Mesh& mesh) {
   constexpr double sharp_cosine = 0.77;  // 40 degrees
-  std::vector<std::pair<Edge, EdgeSides>> edges;
+  std::vector<std::pair<MeshEdge, EdgeSides>> edges;
   std::unordered_map<std::uint64_t, std::size_t> found;
   found.reserve(2 * mesh.triangles.size());
   for (const Mesh::Corners& t : mesh.triangles) {
@@ -35,7 +35,7 @@ std::vector<std::pair<Edge, EdgeSides>> edges_of(const Mesh& mesh) {
     const double size = length(across);
     const Vec3d normal = size > 0 ? across / size : across;
     for (std::size_t k = 0; k < 3; ++k) {
-      const Edge edge = std::minmax(t[k], t[(k + 1) % 3]);
+      const MeshEdge edge = std::minmax(t[k], t[(k + 1) % 3]);
       const auto key = static_cast<std::uint64_t>(edge.first) << 32 | static_cast<std::uint32_t>(edge.second);
       const auto [entry, is_new] = found.emplace(key, edges.size());
       if (is_new) edges.push_back({edge, {normal, 0, false}});

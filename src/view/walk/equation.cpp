@@ -348,6 +348,44 @@ class EquationWriter {
     light(Kind::total, photons.added, "+");
   }
 
+  // ---- Radiosity
+
+  void write(const PatchesMade& made) {
+    row(Kind::numbers, "n = ", static_cast<double>(made.count));
+    if (made.lights) light(Kind::term, made.unshot, made.flat ? "Σ L B =" : "Σ A B =");
+  }
+  void write(const UnshotLight& unshot) {
+    row(Kind::numbers, unshot.share, unshot.share > unshot.tolerance ? " > " : " ≤ ", unshot.tolerance);
+    row(Kind::note, unshot.holds ? Word{"equation.yes"} : Word{"equation.no"});
+  }
+  void write(const PatchTaken& taken) { light(Kind::term, taken.radiosity, "B ="); }
+  void write(const PatchShot& /*shot*/) {}
+  void write(const PatchInFront& /*front*/) {}
+  void write(const FormFactorFound& found) {
+    row(Kind::formula, "F = (X − U) / 2 L");
+    row(Kind::numbers, "X = ", found.crossed, " ", Word{"equation.crossed"});
+    row(Kind::numbers, "U = ", found.uncrossed, " ", Word{"equation.uncrossed"});
+    row(Kind::numbers, "L = ", found.length);
+    row(Kind::numbers, "F = ", found.factor);
+    if (found.visible < 1) row(Kind::numbers, "V = ", found.visible, " ", Word{"equation.visible"});
+  }
+  void write(const LightArrived& arrived) {
+    row(Kind::formula, "ΔE = F V B L / L′");
+    light(Kind::term, arrived.arrived, "ΔE =");
+    light(Kind::term, arrived.reflectance, "kd =");
+    light(Kind::term, arrived.light.unshot, "B =");
+  }
+  void write(const PatchEmptied& emptied) { light(Kind::total, emptied.light.unshot, "B ="); }
+  void write(const LightLookedUp& looked) {
+    if (looked.patch >= 0) {
+      row(Kind::formula, looked.flat ? "kd / 2 · E + Le" : "kd / π · E + Le");
+      light(Kind::term, looked.albedo, "kd =");
+      light(Kind::term, looked.irradiance, "E =");
+      light(Kind::term, looked.emission, "Le =");
+    }
+    light(Kind::total, looked.shade, "=");
+  }
+
   const State& state_;
   const Timeline& timeline_;
   const Event* event_ = nullptr;

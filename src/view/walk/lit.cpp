@@ -8,7 +8,8 @@ bool concerns(Line line, RayKind kind) {
       return line == Line::form_primary_ray || line == Line::find_closest_intersection || line == Line::shade_final ||
              line == Line::path_form_primary_ray || line == Line::path_find_closest_intersection ||
              line == Line::follow_path || line == Line::photon_form_primary_ray || line == Line::gather_light ||
-             line == Line::gather_find_closest_intersection;
+             line == Line::gather_find_closest_intersection || line == Line::radiosity_form_primary_ray ||
+             line == Line::radiosity_find_closest_intersection;
     case RayKind::shadow:
       return line == Line::form_shadow_ray || line == Line::find_intersection || line == Line::path_form_shadow_ray ||
              line == Line::path_find_intersection || line == Line::gather_form_shadow_ray ||

@@ -1,0 +1,382 @@
+#include "trace/patches.h"
+
+#include "trace/patch_cutter.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <type_traits>
+#include <utility>
+
+namespace raywalk {
+
+namespace {
+
+/// Calls use(object, shape) with each shape of an object, those of a group too.
+template <class Use>
+void for_each_shape(const Object& object, const Use& use) {
+  if (const auto* instance = std::get_if<Instance>(&object.shape)) {
+    if (instance->content)
+      for (const Object& inner : instance->content->group.objects) for_each_shape(inner, use);
+    return;
+  }
+  use(object);
+}
+
+bool is_endless(const Object& object) {
+  const Bounds<double> box = bounds(object.shape);
+  const auto finite = [](const Vec3d& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); };
+  return !box.empty() && !(finite(box.min) && finite(box.max));
+}
+
+std::string quoted(const std::string& name) { return "\"" + name + "\""; }
+
+Patch other_side(const Patch& front) {
+  Patch back = front;
+  std::reverse(back.corner.begin(), back.corner.begin() + back.corners);
+  back.normal = -front.normal;
+  back.inner = true;
+  return back;
+}
+
+/// Rounding does not lift out of a plane what lies in it.
+constexpr double nothing = 1e-9;
+
+bool in_front(const Patch& of, const Vec3d& point) {
+  const Vec3d offset = point - of.centre;
+  return dot(offset, of.normal) > nothing * length(offset);
+}
+
+/// The value that a point of a flat convex polygon has of each of its corners: its mean value coordinates (M. Floater,
+/// 2003), which are linear along edges.
+std::array<double, 4> mean_value_weights(const Patch& patch, const Vec3d& point) {
+  std::array<double, 4> weights{};
+  const auto count = static_cast<std::size_t>(patch.corners);
+  std::array<Vec3d, 4> to;
+  std::array<double, 4> reach{};
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec3d offset = patch.corner[i] - point;
+    to[i] = offset - dot(offset, patch.normal) * patch.normal;
+    reach[i] = length(to[i]);
+  }
+  const double size = std::sqrt(patch.area);
+  for (std::size_t i = 0; i < count; ++i)
+    if (reach[i] <= nothing * size) {
+      weights[i] = 1;
+      return weights;
+    }
+  std::array<double, 4> half{};  // tan of half the angle to the next corner
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t next = (i + 1) % count;
+    const double sine = dot(cross(to[i], to[next]), patch.normal), cosine = dot(to[i], to[next]);
+    const double both = reach[i] * reach[next];
+    if (sine <= nothing * both) {
+      if (cosine < 0) {  // on this edge
+        weights = {};
+        weights[i] = reach[next] / (reach[i] + reach[next]);
+        weights[next] = 1 - weights[i];
+        return weights;
+      }
+      half[i] = 0;
+      continue;
+    }
+    half[i] = (both - cosine) / sine;
+  }
+  double sum = 0;
+  for (std::size_t i = 0; i < count; ++i) sum += weights[i] = (half[(i + count - 1) % count] + half[i]) / reach[i];
+  for (double& weight : weights) weight /= sum;
+  return weights;
+}
+
+/// How far inside the polygon's edges a point lies, seen along its normal; negative outside.
+double inside_by(const Patch& patch, const Vec3d& point) {
+  double least = infinity<double>;
+  for (int i = 0; i < patch.corners; ++i) {
+    const Vec3d &a = patch.corner[static_cast<std::size_t>(i)],
+                &b = patch.corner[static_cast<std::size_t>((i + 1) % patch.corners)];
+    const Vec3d inward = normalize(cross(patch.normal, b - a));
+    least = std::min(least, dot(point - a, inward));
+  }
+  return least;
+}
+
+}  // namespace
+
+std::optional<Error> why_no_patches(const Scene& scene, const Stop& stop) {
+  std::optional<Error> error;
+  for (const Object& top : scene.objects)
+    for_each_shape(top, [&](const Object& object) {
+      if (error) return;
+      const std::string of = object.name == top.name ? "" : ", in " + quoted(top.name) + ",";
+      if (is_endless(object))
+        error = Error{"", 0, 0, "radiosity cannot cut " + quoted(object.name) + of + " into patches: it is endless",
+                      "a flat_polygon or a box as large as what is seen of it has an end"};
+      else if (!object.motion.empty() || !top.motion.empty())
+        error = Error{"", 0, 0, "radiosity cannot light " + quoted(object.name) + of + ": it moves",
+                      "leave out its motion, or use --integrator path"};
+    });
+  if (error) return error;
+  const World<double> world(scene, AcceleratorKind::none, std::nullopt, stop);
+  const double size = scene.render.radiosity.patch.value_or(Patches::share_of_extent * extent_of(world));
+  if (static_cast<int>(cut_into_patches(world, size, false, Patches::most, stop).patches.size()) > Patches::most)
+    error = Error{
+        "", 0, 0,
+        "radiosity would cut this scene into more than " + std::to_string(Patches::most) +
+            " patches, whose form factors take too much memory",
+        "choose larger ones, such as radiosity = { patch = " + fmt::format("{:.3g}", 2 * size) + " } in [render]"};
+  return error;
+}
+
+std::vector<std::string> patch_losses(const Scene& scene) {
+  std::vector<std::string> losses;
+  for (const Object& top : scene.objects)
+    for_each_shape(top, [&](const Object& object) {
+      const Material& material = object.material;
+      const bool mirrors = !is_black(material.reflection), passes = material.transmits();
+      if (mirrors || passes)
+        losses.push_back(quoted(object.name) + " absorbs the light that it would " +
+                         (passes ? mirrors ? "reflect and let through" : "let through" : "reflect") +
+                         ": radiosity knows matt surfaces only");
+      else if (!is_black(material.specular))
+        losses.push_back(quoted(object.name) + " shows no highlights: radiosity knows matt surfaces only");
+    });
+  if (scene.sky || !is_black(scene.background))
+    losses.push_back("what lies around the scene is seen, but lights nothing: radiosity has patches on surfaces only");
+  return losses;
+}
+
+Patches::Patches(const Scene& scene, const PatchSettings& settings, const Stop& stop) : flat_(settings.flat) {
+  world_.emplace(scene, AcceleratorKind::none, std::nullopt, stop);
+  const World<double>& world = *world_;
+  const double size = std::isinf(settings.size) ? share_of_extent * extent_of(world) : settings.size;
+  CutScene cut = cut_into_patches(world, size, flat_, most, stop);
+  if (static_cast<int>(cut.patches.size()) > most) {
+    too_many_ = true;
+    return;
+  }
+  const Primitives<double>& primitives = world.accelerator.primitives();
+  Primitives<double> pieces;
+  for (std::size_t i = 0; i < cut.patches.size(); ++i) {
+    Patch& patch = cut.patches[i];
+    const World<double>::Surface& surface = world.surface(patch.primitive);
+    const SurfacePoint<double> at{patch.centre, patch.normal};
+    patch.face = static_cast<int>(i);
+    patch.emission = cosines() * surface.emission;
+    patch.reflectance = surface.diffuse;
+    if (surface.checker) {
+      const bool even = even_square(primitives.uv_at(patch.primitive, at, patch.part), surface.checker->size);
+      patch.reflectance *= even ? surface.checker->even : surface.checker->odd;
+    }
+    if (surface.texture) patch.reflectance *= surface.texture->at(primitives.uv_at(patch.primitive, at, patch.part));
+    Polygon<double> polygon;
+    polygon.outline.assign(patch.corner.begin(), patch.corner.begin() + patch.corners);
+    pieces.add(Shape<double>(std::move(polygon)));
+  }
+  occluders_.emplace(std::move(pieces), AcceleratorKind::automatic, stop);
+
+  // What shines, for the insides of closed bodies.
+  struct Source {
+    Vec3d place;
+    int primitive;
+  };
+  std::vector<Source> sources{{scene.camera.eye, -1}};
+  bool from_afar = false;
+  for (const World<double>::Light& light : world.lights) {
+    if (light.is_distant) from_afar = true;
+    if (!light.is_distant) sources.push_back({light.place, -1});
+  }
+  for (const Patch& patch : cut.patches)
+    if (!is_black(patch.emission)) sources.push_back({patch.centre, patch.primitive});
+  std::vector<bool> lit_inside(cut.closed.size(), true);
+  for (std::size_t id = 0; id < cut.closed.size(); ++id) {
+    if (!cut.closed[id]) continue;
+    const Bounds<double> box = primitives.box(static_cast<int>(id));
+    lit_inside[id] = std::any_of(sources.begin(), sources.end(), [&](const Source& source) {
+      if (source.primitive == static_cast<int>(id)) return false;
+      for (int axis = 0; axis < (flat_ ? 2 : 3); ++axis)
+        if (!(box.min[axis] < source.place[axis] && source.place[axis] < box.max[axis])) return false;
+      return true;
+    });
+  }
+  const auto faces_something = [&](const Patch& side) {
+    if (from_afar) return true;
+    for (const World<double>::Light& light : world.lights)
+      if (in_front(side, light.place)) return true;
+    for (const Patch& other : cut.patches)
+      for (const Vec3d& corner : other.outline())
+        if (in_front(side, corner)) return true;
+    return false;
+  };
+  for (const Patch& front : cut.patches) {
+    stop.check();
+    if (faces_something(front)) patches_.push_back(front);
+    if (!lit_inside[static_cast<std::size_t>(front.primitive)]) continue;
+    const Patch back = other_side(front);
+    if (faces_something(back)) patches_.push_back(back);
+  }
+  find_neighbours();
+}
+
+/// Which patches meet at each corner: of the same primitive, on the same side, and turned by less than about a right
+/// angle's half.
+void Patches::find_neighbours() {
+  constexpr double smooth = 0.8;  // cosine
+  int primitives = 0;
+  for (const Patch& patch : patches_) primitives = std::max(primitives, patch.primitive + 1);
+  by_primitive_.resize(static_cast<std::size_t>(primitives));
+  for (int i = 0; i < size(); ++i) by_primitive_[static_cast<std::size_t>((*this)[i].primitive)].push_back(i);
+  about_.resize(patches_.size());
+  for (const std::vector<int>& same : by_primitive_)
+    for (const int i : same) {
+      const Patch& patch = (*this)[i];
+      const double near = 1e-6 * std::sqrt(patch.area);
+      for (int c = 0; c < patch.corners; ++c) {
+        const Vec3d& corner = patch.corner[static_cast<std::size_t>(c)];
+        for (const int j : same) {
+          const Patch& other = (*this)[j];
+          if (!(dot(patch.normal, other.normal) > smooth)) continue;
+          if (std::abs(dot(corner - other.centre, other.normal)) > near || inside_by(other, corner) < -near) continue;
+          about_[static_cast<std::size_t>(i)][static_cast<std::size_t>(c)].push_back(j);
+        }
+      }
+    }
+}
+
+double Patches::cosines() const { return flat_ ? 2 : std::numbers::pi; }
+
+bool Patches::face_each_other(int a, int b) const {
+  const auto some_in_front = [](const Patch& of, const Patch& other) {
+    const auto outline = other.outline();
+    return std::any_of(outline.begin(), outline.end(), [&](const Vec3d& corner) { return in_front(of, corner); });
+  };
+  const Patch &one = (*this)[a], &other = (*this)[b];
+  return one.face != other.face && some_in_front(one, other) && some_in_front(other, one);
+}
+
+Exchange Patches::exchange(int a, int b) const {
+  const Patch &one = (*this)[std::min(a, b)], &other = (*this)[std::max(a, b)];
+  const double area = flat_ ? strings_between(one.edge(), other.edge()).exchange_length()
+                            : exchange_area(one.outline(), other.outline());
+  if (!(area > 0)) return {0, 1};
+  const int points = flat_ ? 8 : 2;
+  const double first = visible_share(one, other, points);
+  if (first == 1 || first == 0) return {area, first};
+  return {area, visible_share(one, other, flat_ ? 4 * points : 2 * points)};
+}
+
+Vec3d Patches::point_on(const Patch& patch, double u, double v) const {
+  const auto& c = patch.corner;
+  if (flat_) return {Vec2d(c[0]) + u * Vec2d(c[1] - c[0]), 0};
+  if (patch.corners == 3) {
+    if (u + v > 1) u = 1 - u, v = 1 - v;
+    const Vec3d point = c[0] + u * (c[1] - c[0]) + v * (c[2] - c[0]);
+    // Not on an edge, which its neighbour has too.
+    constexpr double within = 0.9;
+    return patch.centre + within * (point - patch.centre);
+  }
+  const Vec3d low = c[0] + u * (c[1] - c[0]), high = c[3] + u * (c[2] - c[3]);
+  return low + v * (high - low);
+}
+
+bool Patches::sees(const Patch& from, const Vec3d& a, const Patch& to, const Vec3d& b) const {
+  constexpr double almost = 1 - 1e-9;
+  TestCounts uncounted;
+  const Ray<double> ray{a, b - a, Departure{from.face, 0}, 0};
+  const auto met = occluders_->closest(ray, almost, uncounted);
+  return !met || met->primitive == to.face;
+}
+
+/// Of the light between two patches: pairs of points, each as important as it is for the form factor.
+double Patches::visible_share(const Patch& a, const Patch& b, int points) const {
+  double seen = 0, all = 0;
+  const auto add = [&](const Vec3d& p, const Vec3d& q) {
+    const Vec3d way = q - p;
+    const double square = dot(way, way), cosines = dot(way, a.normal) * -dot(way, b.normal);
+    const bool apart = dot(way, a.normal) > 0 && dot(way, b.normal) < 0 && square > 0;
+    if (!apart) return;
+    const double weight = cosines / (flat_ ? square * std::sqrt(square) : square * square);
+    all += weight;
+    if (sees(a, p, b, q)) seen += weight;
+  };
+  if (flat_) {
+    for (int i = 0; i < points; ++i)
+      for (int j = 0; j < points; ++j) add(point_on(a, (i + 0.5) / points, 0), point_on(b, (j + 0.5) / points, 0));
+    return all > 0 ? seen == all ? 1 : seen / all : 1;
+  }
+  const auto at = [&](const Patch& patch, int k) {
+    return point_on(patch, (k % points + 0.5) / points, (k / points + 0.5) / points);
+  };
+  const int count = points * points;
+  // All pairs of few points; of many, each with four that lie apart.
+  const int partners = std::min(count, 4);
+  for (int i = 0; i < count; ++i)
+    for (int k = 0; k < partners; ++k) {
+      const int j = partners == count ? k : (5 * i + k * (count / partners) + k) % count;
+      add(at(a, i), at(b, j));
+    }
+  return all > 0 ? seen == all ? 1 : seen / all : 1;
+}
+
+Rgbd Patches::light_of_lamps(int index) const {
+  Rgbd sum(0.0);
+  if (!world_) return sum;
+  const Patch& patch = (*this)[index];
+  const int points = flat_ ? 16 : 3, count = flat_ ? points : points * points;
+  TestCounts uncounted;
+  for (const World<double>::Light& light : world_->lights) {
+    // An area light is as many points of it; in a flat world its middle.
+    const int grid = flat_ || light.reach == 0 || light.is_distant ? 1 : 3;
+    for (int k = 0; k < count * grid * grid; ++k) {
+      const int on_patch = k % count, on_light = k / count;
+      const Vec3d at = flat_ ? point_on(patch, (on_patch + 0.5) / points, 0)
+                             : point_on(patch, (on_patch % points + 0.5) / points, (on_patch / points + 0.5) / points);
+      const Vec3d from =
+          grid == 1 ? light.place : light.sample(Vec2d((on_light % grid + 0.5) / grid, (on_light / grid + 0.5) / grid));
+      const Vec3d to_light = light.direction_to(from, at);
+      const double cosine = dot(patch.normal, to_light);
+      if (!(cosine > 0) || !light.shines_along(to_light)) continue;
+      if (occluders_->occluded(Ray<double>{at, to_light, Departure{patch.face, 0}, 0}, light.t_far(), uncounted))
+        continue;
+      const double distance = light.distance(to_light);
+      const Vec3d l = to_light / distance;
+      sum += light.strength *
+             (light.falloff(l) * dot(patch.normal, l) / light.attenuation(distance) / (count * grid * grid));
+    }
+  }
+  return cosines() * sum;
+}
+
+Patches::Place Patches::place_of(int primitive, const Vec3d& position, const Vec3d& normal) const {
+  Place place;
+  if (primitive >= static_cast<int>(by_primitive_.size())) return place;
+  double best = -infinity<double>;
+  for (const int i : by_primitive_[static_cast<std::size_t>(primitive)]) {
+    const Patch& patch = (*this)[i];
+    const double turned = dot(patch.normal, normal);
+    if (!(turned > 0.3)) continue;
+    // On the other faces of the body it would lie far off.
+    const double off = std::abs(dot(position - patch.centre, patch.normal));
+    const double inside = std::min(inside_by(patch, position), 0.0) - off - (1 - turned) * std::sqrt(patch.area);
+    if (inside > best) best = inside, place.patch = i;
+  }
+  if (place.patch < 0) return place;
+  const Patch& patch = (*this)[place.patch];
+  if (flat_) {
+    const Vec2d a(patch.corner[0]), along = Vec2d(patch.corner[1]) - a;
+    const double t = std::clamp(dot(Vec2d(position) - a, along) / dot(along, along), 0.0, 1.0);
+    place.weights = {1 - t, t, 0, 0};
+    return place;
+  }
+  // A curved surface bulges out of its patches: the nearest point of the patch counts.
+  Vec3d on = position;
+  const double depth = inside_by(patch, on);
+  if (depth < 0)
+    on = patch.centre +
+         (on - patch.centre) * (inside_by(patch, patch.centre) / (inside_by(patch, patch.centre) - depth));
+  place.weights = mean_value_weights(patch, on);
+  return place;
+}
+
+}  // namespace raywalk

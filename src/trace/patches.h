@@ -1,0 +1,123 @@
+#pragma once
+// Patches: the surfaces of a scene cut into small flat pieces, each as bright all over (C. Goral, K. Torrance, D.
+// Greenberg and B. Battaile, "Modeling the Interaction of Light Between Diffuse Surfaces", SIGGRAPH 1984).
+//
+// Boxes, prisms, polygons and triangles are cut as they are. Curved bodies become polygons inscribed in them, with at
+// least 16 sides around: no place of theirs lies further off than 2% of a radius. What has two sides has patches on
+// both, but for sides that no light can reach: inside a closed body that holds neither a source of light nor the eye,
+// and where nothing lies in front. Mirrors and glass absorb: they are as dark as their kd says.
+//
+// In a flat world everything is endless along z, and patches are pieces of the edges where the plane z = 0 cuts it.
+
+#include "accel/accelerator.h"
+#include "math/stop.h"
+#include "scene/scene.h"
+#include "text/error.h"
+#include "trace/form_factor.h"
+#include "trace/world.h"
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace raywalk {
+
+struct PatchSettings {
+  double size = infinity<double>;  ///< no side of a patch is longer; infinite: a twelfth of the scene
+  bool flat = false;
+};
+
+/// One side of a piece of a surface. In a flat world it is as high as 2, from z = -1 to 1, and its area its length.
+struct Patch {
+  std::array<Vec3d, 4> corner;     ///< counter-clockwise seen from where its light goes
+  int corners;                     ///< 3 or 4
+  Vec3d centre{0.0}, normal{0.0};  ///< normal: unit length
+  double area = 0;
+  int primitive = 0, part = 0, object = 0;
+  bool inner = false;  ///< the inside of a body, or the back of a surface
+  int face = 0;        ///< of the occluder that both sides share
+  Rgbd emission{0.0};  ///< radiosity that it gives off by itself
+  Rgbd reflectance{0.0};
+
+  [[nodiscard]] std::span<const Vec3d> outline() const { return {corner.data(), static_cast<std::size_t>(corners)}; }
+  /// Its edge, in a flat world.
+  [[nodiscard]] Edge edge() const {
+    const Vec2d a(corner[0]), b(corner[1]), along = b - a;
+    return along.x * normal.y - along.y * normal.x > 0 ? Edge{a, b} : Edge{b, a};
+  }
+};
+
+/// What one patch sees of another one.
+struct Exchange {
+  double area = 0;     ///< A1 F12 as if nothing stood between
+  double visible = 1;  ///< the share of it that nothing keeps away
+  [[nodiscard]] double through() const { return area * visible; }
+};
+
+/// Why a scene has no patches, by the name of the object: what is endless cannot be cut, what moves has no one place.
+/// And no scene has too many.
+[[nodiscard]] std::optional<Error> why_no_patches(const Scene& scene, const Stop& stop = {});
+/// What of a scene patches leave out, a sentence each, by the names of the objects.
+[[nodiscard]] std::vector<std::string> patch_losses(const Scene& scene);
+
+/// All patches of a scene, and what they see of each other. Its answers do not depend on how it is asked.
+class Patches {
+ public:
+  /// `stop` may cancel it, which then throws Stopped.
+  Patches(const Scene& scene, const PatchSettings& settings, const Stop& stop = {});
+  /// Another light of the same surfaces.
+  void paint(int patch, const Rgbd& emission, const Rgbd& reflectance) {
+    patches_[static_cast<std::size_t>(patch)].emission = emission;
+    patches_[static_cast<std::size_t>(patch)].reflectance = reflectance;
+  }
+
+  /// More are not cut: their form factors would not fit into memory. Then there are none.
+  static constexpr int most = 5000;
+  /// The longest side of a patch, of the scene's, where none is chosen.
+  static constexpr double share_of_extent = 1.0 / 12;
+  [[nodiscard]] bool too_many() const { return too_many_; }
+
+  [[nodiscard]] int size() const { return static_cast<int>(patches_.size()); }
+  [[nodiscard]] const Patch& operator[](int i) const { return patches_[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] const std::vector<Patch>& all() const { return patches_; }
+  [[nodiscard]] bool is_flat() const { return flat_; }
+  /// The integral of the cosine over all directions above a surface.
+  [[nodiscard]] double cosines() const;
+
+  /// Whether some of each lies in front of the other.
+  [[nodiscard]] bool face_each_other(int a, int b) const;
+  /// The same, bit for bit, the other way round. Whole where rays between 4 points of each (in the plane 8) meet
+  /// nothing; else weakened as 16 points (in the plane 32) tell.
+  [[nodiscard]] Exchange exchange(int a, int b) const;
+  /// What arrives from the lights of the scene, averaged over the patch: an irradiance.
+  [[nodiscard]] Rgbd light_of_lamps(int patch) const;
+
+  /// A place on a surface, between patches.
+  struct Place {
+    int patch = -1;                   ///< -1: none is there
+    std::array<double, 4> weights{};  ///< of its corners
+  };
+  /// `normal`: of the side that is seen.
+  [[nodiscard]] Place place_of(int primitive, const Vec3d& position, const Vec3d& normal) const;
+  /// The patches whose mean a corner of a patch has: those about it on the same surface.
+  [[nodiscard]] const std::vector<int>& about(int patch, int corner) const {
+    return about_[static_cast<std::size_t>(patch)][static_cast<std::size_t>(corner)];
+  }
+
+ private:
+  void find_neighbours();
+  [[nodiscard]] double visible_share(const Patch& a, const Patch& b, int points) const;
+  [[nodiscard]] bool sees(const Patch& from, const Vec3d& a, const Patch& to, const Vec3d& b) const;
+  [[nodiscard]] Vec3d point_on(const Patch& patch, double u, double v) const;
+
+  std::vector<Patch> patches_;
+  bool flat_ = false, too_many_ = false;
+  std::optional<World<double>> world_;  ///< for its lamps
+  std::optional<Accelerator<double>> occluders_;
+  std::vector<std::vector<int>> by_primitive_;
+  std::vector<std::array<std::vector<int>, 4>> about_;
+};
+
+}  // namespace raywalk
