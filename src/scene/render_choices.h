@@ -19,6 +19,7 @@ enum class Integrator {
   distributed,  ///< also gloss, translucency, penumbras, depth of field and motion blur (Cook, Porter, Carpenter 1984)
   path,         ///< global illumination: path tracing (Kajiya 1986)
   photons,      ///< the same by photon mapping (Jensen 1996)
+  beams,        ///< all rays of a pixel at once, in the plan (Heckbert and Hanrahan 1984)
 };
 /// What is to be known of an integrator before it runs. Its procedure is in trace.
 struct IntegratorTraits {
@@ -28,6 +29,7 @@ struct IntegratorTraits {
   bool draws_random = false;  ///< cast and whitted take their samples at fixed positions
   bool is_global = false;     ///< surfaces light each other
   bool is_recursive = true;   ///< follows rays beyond the first hit
+  bool is_flat = false;       ///< walks the strip only, in a flat world; the picture is as for `automatic`
 };
 /// All integrators, in the order of the enumeration: files, options and menus offer them from here.
 inline constexpr std::array integrators{
@@ -49,7 +51,11 @@ inline constexpr std::array integrators{
                      .name = "photons",
                      .follows = "light from everywhere, sent from the lights: caustics too",
                      .draws_random = true,
-                     .is_global = true}};
+                     .is_global = true},
+    IntegratorTraits{.integrator = Integrator::beams,
+                     .name = "beams",
+                     .follows = "all rays of a pixel at once, in the plan only",
+                     .is_flat = true}};
 [[nodiscard]] constexpr const IntegratorTraits& traits_of(Integrator integrator) {
   return integrators[static_cast<std::size_t>(integrator)];
 }

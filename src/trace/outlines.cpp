@@ -2,7 +2,7 @@
 
 #include "math/overloaded.h"
 
-#include <cmath>
+#include <algorithm>
 
 namespace raywalk {
 
@@ -39,6 +39,13 @@ std::string why_no_beams(const Scene& scene) {
   for (const Object& object : scene.objects)
     if (const std::string why = why_no_outline(object); !why.empty()) return object.name + " " + why;
   return {};
+}
+
+std::string object_against_beams(const Scene& scene) {
+  const std::string why = why_no_beams(scene);
+  const auto told = std::find_if(scene.objects.begin(), scene.objects.end(),
+                                 [&](const Object& object) { return why.rfind(object.name + " ", 0) == 0; });
+  return told == scene.objects.end() ? std::string() : told->name;
 }
 
 std::vector<Outline> outlines_of(const Scene& scene) {

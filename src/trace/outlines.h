@@ -33,6 +33,9 @@ struct Outline {
 /// Why beams cannot be followed through the scene's plan, naming the object; empty where they can.
 [[nodiscard]] std::string why_no_beams(const Scene& scene);
 
+/// The object that has this reason; empty: it is none of them.
+[[nodiscard]] std::string object_against_beams(const Scene& scene);
+
 /// In the order of the objects. Objects above and below the plan have none. The scene has no reason against beams.
 [[nodiscard]] std::vector<Outline> outlines_of(const Scene& scene);
 

@@ -8,18 +8,32 @@
 
 namespace raywalk {
 
-/// The procedures of the tracer, those of path tracing, and those of photon mapping.
-enum class Procedure { main_algorithm, shade, path_tracing, follow_path, photon_mapping, follow_photon, gather_light };
+/// The procedures of the tracer, of path tracing, of photon mapping, and of beam tracing.
+enum class Procedure {
+  main_algorithm,
+  shade,
+  path_tracing,
+  follow_path,
+  photon_mapping,
+  follow_photon,
+  gather_light,
+  beam_tracing,
+  shade_parts,
+};
 template <>
-inline constexpr Word<Procedure> words_of<Procedure>[] = {
-    {Procedure::main_algorithm, "MAIN ALGORITHM"},       {Procedure::shade, "SHADE (DEPTH, RTNSHADE)"},
-    {Procedure::path_tracing, "PATH TRACING"},           {Procedure::follow_path, "FOLLOW PATH (RTNSHADE)"},
-    {Procedure::photon_mapping, "PHOTON MAPPING"},       {Procedure::follow_photon, "FOLLOW PHOTON (POWER)"},
-    {Procedure::gather_light, "GATHER LIGHT (RTNSHADE)"}};
+inline constexpr Word<Procedure> words_of<Procedure>[] = {{Procedure::main_algorithm, "MAIN ALGORITHM"},
+                                                          {Procedure::shade, "SHADE (DEPTH, RTNSHADE)"},
+                                                          {Procedure::path_tracing, "PATH TRACING"},
+                                                          {Procedure::follow_path, "FOLLOW PATH (RTNSHADE)"},
+                                                          {Procedure::photon_mapping, "PHOTON MAPPING"},
+                                                          {Procedure::follow_photon, "FOLLOW PHOTON (POWER)"},
+                                                          {Procedure::gather_light, "GATHER LIGHT (RTNSHADE)"},
+                                                          {Procedure::beam_tracing, "BEAM TRACING"},
+                                                          {Procedure::shade_parts, "SHADE PARTS (DEPTH, RTNSHADE)"}};
 
 /// The lines of the procedures, in the order shown on the screen. Each text is also the comment that heads its
-/// statement in trace/tracer.h, trace/path.h or trace/photons.h; a test holds the two together, and another each to its
-/// translations.
+/// statement in trace/tracer.h, trace/path.h, trace/photons.h or trace/beams.h; a test holds the two together, and
+/// another each to its translations.
 enum class Line {
   for_each_pixel,
   form_primary_ray,
@@ -82,6 +96,24 @@ enum class Line {
   gather_choose_direction,
   gather_if_path_survives,
   gather_form_next_ray,
+  // Beam tracing's.
+  beam_for_each_pixel,
+  form_beam,
+  cut_beam,
+  shade_parts,
+  beam_put_final_shade,
+  for_each_part,
+  beam_form_shadow_ray,
+  beam_find_intersection,
+  shade_middle,
+  if_straight_mirror,
+  form_mirrored_beam,
+  cut_mirrored_beam,
+  shade_mirrored_parts,
+  if_curved_or_glass,
+  form_middle_ray,
+  follow_middle_ray,
+  add_part,
 };
 
 struct PseudocodeLine {
@@ -167,14 +199,35 @@ inline constexpr std::array<PseudocodeLine, photon_line_count> photon_pseudocode
     {Line::gather_form_next_ray, "form_next_ray", Procedure::gather_light, 2, "Form next ray"},
 }};
 
+inline constexpr int beam_line_count = 17;
+inline constexpr std::array<PseudocodeLine, beam_line_count> beam_pseudocode{{
+    {Line::beam_for_each_pixel, "for_each_pixel", Procedure::beam_tracing, 0, "For each pixel"},
+    {Line::form_beam, "form_beam", Procedure::beam_tracing, 1, "Form beam of the pixel"},
+    {Line::cut_beam, "cut_beam", Procedure::beam_tracing, 1, "Cut beam by outlines and shadows"},
+    {Line::shade_parts, "shade_parts", Procedure::beam_tracing, 1, "Shade parts (DEPTH+1, final)"},
+    {Line::beam_put_final_shade, "put_final_shade", Procedure::beam_tracing, 1, "Put final shade in pixel"},
+    {Line::for_each_part, "for_each_part", Procedure::shade_parts, 0, "For each part"},
+    {Line::beam_form_shadow_ray, "form_shadow_ray", Procedure::shade_parts, 1, "Form shadow ray"},
+    {Line::beam_find_intersection, "find_intersection", Procedure::shade_parts, 1, "Find intersection"},
+    {Line::shade_middle, "shade_middle", Procedure::shade_parts, 1, "Shade its middle"},
+    {Line::if_straight_mirror, "if_straight_mirror", Procedure::shade_parts, 1, "If straight mirror"},
+    {Line::form_mirrored_beam, "form_mirrored_beam", Procedure::shade_parts, 2, "Form mirrored beam"},
+    {Line::cut_mirrored_beam, "cut_mirrored_beam", Procedure::shade_parts, 2, "Cut it by outlines and shadows"},
+    {Line::shade_mirrored_parts, "shade_mirrored_parts", Procedure::shade_parts, 2, "Shade parts (DEPTH+1, REFLSHADE)"},
+    {Line::if_curved_or_glass, "if_curved_or_glass", Procedure::shade_parts, 1, "If curved mirror or glass"},
+    {Line::form_middle_ray, "form_middle_ray", Procedure::shade_parts, 2, "Form ray from its middle"},
+    {Line::follow_middle_ray, "follow_middle_ray", Procedure::shade_parts, 2, "Follow it as a ray"},
+    {Line::add_part, "add_part", Procedure::shade_parts, 1, "Add shade, times coverage"},
+}};
+
 /// The lines of several procedures: of the one that runs once for each pixel, and of those that it calls.
 struct Pseudocode {
   std::span<const PseudocodeLine> lines;
   bool recursive;  ///< the second one calls itself, DEPTH deep
 };
 /// All pseudocodes, in the order of their lines.
-inline constexpr std::array<Pseudocode, 3> pseudocodes{
-    {{pseudocode, true}, {path_pseudocode, false}, {photon_pseudocode, false}}};
+inline constexpr std::array<Pseudocode, 4> pseudocodes{
+    {{pseudocode, true}, {path_pseudocode, false}, {photon_pseudocode, false}, {beam_pseudocode, true}}};
 inline constexpr int all_lines_count = static_cast<int>(pseudocodes.back().lines.back().line) + 1;
 
 /// The one that a line belongs to.
@@ -205,6 +258,10 @@ inline constexpr int all_lines_count = static_cast<int>(pseudocodes.back().lines
       return "follow_photon";
     case Procedure::gather_light:
       return "gather_light";
+    case Procedure::beam_tracing:
+      return "beam_tracing";
+    case Procedure::shade_parts:
+      return "shade_parts";
   }
   return "";
 }

@@ -41,6 +41,8 @@ Place place_of(DoubleDouble x) {
   return {high, std::nearbyint(((x.hi - high) + x.lo) * fine) / fine};
 }
 
+constexpr double least_width = 0x1p-98;  ///< what lies nearer together is one place
+
 /// Roots of equations in the place x, those between 0 and 1.
 class Roots {
  public:
@@ -95,41 +97,44 @@ UnfoldedPlan UnfoldedPlan::mirrored(int outline) const {
   return plan;
 }
 
+/// Through the mirrors from the last one on.
+ExactPoint UnfoldedPlan::unfolded(const Vec2d& original, bool is_direction, Expansion& scale) const {
+  ExactPoint point = exact(original);
+  scale = 1.0;
+  for (std::size_t i = mirrors_.size(); i-- > 0;) {
+    const ExactLine line = line_of((*outlines_)[static_cast<std::size_t>(mirrors_[i])]);
+    const Expansion across = is_direction ? dot(line.normal, point) : dot(line.normal, point) - line.offset * scale;
+    const Expansion size = dot(line.normal, line.normal);
+    point = point * size - line.normal * (across * 2.0);
+    scale = scale * size;
+  }
+  if (!is_direction) point = point - exact(eye_) * scale;
+  return point;
+}
+
 auto UnfoldedPlan::seen(const Outline& outline) const -> Seen {
   Expansion scale = 1.0;
-  // A point, and a direction without `scale`, through the mirrors from the last one on.
-  const auto unfold = [&](ExactPoint point, bool is_direction) {
-    scale = 1.0;
-    for (std::size_t i = mirrors_.size(); i-- > 0;) {
-      const ExactLine line = line_of((*outlines_)[static_cast<std::size_t>(mirrors_[i])]);
-      const Expansion across = is_direction ? dot(line.normal, point) : dot(line.normal, point) - line.offset * scale;
-      const Expansion size = dot(line.normal, line.normal);
-      point = point * size - line.normal * (across * 2.0);
-      scale = scale * size;
-    }
-    if (!is_direction) point = point - exact(eye_) * scale;
-    return point;
-  };
+  const auto unfold = [&](const Vec2d& point, bool is_direction) { return unfolded(point, is_direction, scale); };
   Seen seen{};
   seen.straight = outline.is_straight();
   seen.endless = std::holds_alternative<OutlineWall>(outline.shape);
   std::visit(Overloaded{
                  [&](const OutlineSide& side) {
-                   seen.from = unfold(exact(side.from), false);
-                   seen.to = unfold(exact(side.to), false);
+                   seen.from = unfold(side.from, false);
+                   seen.to = unfold(side.to, false);
                    const ExactLine line = line_of(seen.from, seen.to);
                    seen.normal = line.normal, seen.offset = line.offset;
                    seen.low = {std::min(side.from.x, side.to.x), std::min(side.from.y, side.to.y)};
                    seen.high = {std::max(side.from.x, side.to.x), std::max(side.from.y, side.to.y)};
                  },
                  [&](const OutlineWall& wall) {
-                   seen.normal = unfold(exact(wall.normal), true);
-                   seen.offset = dot(seen.normal, unfold(exact(wall.point), false));
+                   seen.normal = unfold(wall.normal, true);
+                   seen.offset = dot(seen.normal, unfold(wall.point, false));
                    seen.low = Vec2d(-std::numeric_limits<double>::infinity());
                    seen.high = -seen.low;
                  },
                  [&](const OutlineCircle& circle) {
-                   seen.centre = unfold(exact(circle.centre), false);
+                   seen.centre = unfold(circle.centre, false);
                    const Expansion radius = scale * circle.radius;
                    seen.square = radius * radius;
                    seen.low = circle.centre - circle.radius, seen.high = circle.centre + circle.radius;
@@ -188,6 +193,51 @@ std::vector<Place> UnfoldedPlan::breaks(const PixelFan& fan) const {
   return std::move(roots.places());
 }
 
+/// Of the rays d of the fan, that at d meets the straight outline in offset d / (normal . d); so the point, and the way
+/// from a light to it, times (normal . d), is linear in d.
+std::vector<Place> UnfoldedPlan::shadow_edges(const PixelFan& fan, const BeamPart& part, const PlanLight& light) const {
+  const ExactPoint begin = exact(fan.begin), end = exact(fan.end);
+  const Seen& surface = seen_[static_cast<std::size_t>(part.outline)];
+  const Expansion n0 = dot(surface.normal, begin), n1 = dot(surface.normal, end);
+  Expansion scale;
+  const ExactPoint place = unfolded(light.place, light.is_distant, scale);
+  Roots roots;
+  const auto way_from = [&](const ExactPoint& start) {
+    return std::pair{begin * surface.offset - start * n0, end * surface.offset - start * n1};
+  };
+  const auto corner = [&](const ExactPoint& at) {
+    const auto [w0, w1] = way_from(light.is_distant ? at : place);
+    const ExactPoint along = light.is_distant ? place : at - place;
+    roots.linear(cross(w0, along), cross(w1, along));
+  };
+  for (std::size_t i = 0; i < seen_.size(); ++i) {
+    const Seen& outline = seen_[i];
+    if (static_cast<int>(i) == part.outline) continue;
+    if (outline.straight) {
+      if (!outline.endless) corner(outline.from), corner(outline.to);
+    } else if (light.is_distant) {
+      // As far from the ray of light through the centre as the radius.
+      const auto [w0, w1] = way_from(outline.centre);
+      const Expansion c0 = cross(w0, place), c1 = cross(w1, place), square = outline.square * dot(place, place);
+      roots.quadratic(c0 * c0 - square * n0 * n0, c0 * c1 - square * n0 * n1, c1 * c1 - square * n1 * n1);
+    } else {
+      const auto [w0, w1] = way_from(place);
+      const ExactPoint centre = outline.centre - place;
+      const Expansion c0 = cross(w0, centre), c1 = cross(w1, centre);
+      roots.quadratic(c0 * c0 - outline.square * dot(w0, w0), c0 * c1 - outline.square * dot(w0, w1),
+                      c1 * c1 - outline.square * dot(w1, w1));
+    }
+  }
+  std::vector<Place> edges;
+  for (const Place& edge : roots.places())
+    if (edge - part.begin > least_width && part.end - edge > least_width) edges.push_back(edge);
+  std::sort(edges.begin(), edges.end());
+  edges.erase(
+      std::unique(edges.begin(), edges.end(), [](const Place& a, const Place& b) { return !(b - a > least_width); }),
+      edges.end());
+  return edges;
+}
+
 /// To the nearest point of an outline that lies beyond the eye, or beyond the last mirror.
 auto UnfoldedPlan::distance(const Seen& outline, const ExactPoint& direction, const std::optional<Distance>& beyond,
                             bool* far_side) const -> std::optional<Distance> {
@@ -235,7 +285,6 @@ auto UnfoldedPlan::nearest(const ExactPoint& direction) const -> Nearest {
 }
 
 std::vector<BeamPart> UnfoldedPlan::cut(const PixelFan& fan, const Place& begin, const Place& end) const {
-  constexpr double least_width = 0x1p-98;  // what lies nearer together is one place
   std::vector<Place> places = breaks(fan);
   std::sort(places.begin(), places.end());
   std::vector<BeamPart> parts;

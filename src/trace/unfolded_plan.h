@@ -48,6 +48,12 @@ struct BeamPart {
   [[nodiscard]] Place middle() const { return raywalk::middle(begin, end); }
 };
 
+/// A light without extent, in the plan.
+struct PlanLight {
+  Vec2d place;  ///< or, of a distant light, the direction to it
+  bool is_distant = false;
+};
+
 namespace detail {
 struct ExactPoint {
   Expansion x, y;
@@ -66,6 +72,11 @@ class UnfoldedPlan {
   /// neighbours, or, of a circle, its other side.
   [[nodiscard]] std::vector<BeamPart> cut(const PixelFan& fan, const Place& begin = {0, 0},
                                           const Place& end = {1, 0}) const;
+
+  /// Where a straight outline, which the rays between these places see, passes from light into shadow or back; in
+  /// order. A superset: outlines that other outlines hide from the light are not left out, nor those behind.
+  [[nodiscard]] std::vector<Place> shadow_edges(const PixelFan& fan, const BeamPart& part,
+                                                const PlanLight& light) const;
 
   // Rounded, in the plan itself.
 
@@ -93,6 +104,8 @@ class UnfoldedPlan {
   using Distance = DoubleDouble;
 
   [[nodiscard]] Seen seen(const Outline& outline) const;
+  /// Relative to the eye, as the mirrors show it, times `scale`, which this sets.
+  [[nodiscard]] detail::ExactPoint unfolded(const Vec2d& point, bool is_direction, Expansion& scale) const;
   [[nodiscard]] std::vector<Place> breaks(const PixelFan& fan) const;
   [[nodiscard]] std::optional<Distance> distance(const Seen& outline, const detail::ExactPoint& direction,
                                                  const std::optional<Distance>& beyond, bool* far_side) const;

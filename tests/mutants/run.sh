@@ -42,6 +42,8 @@ verdict() {
   [[ $2 == stack ]] && program=("-I$root/tests" "$root/tests/trace/body_stack_test.cpp") libraries=("${catch2[@]}")
   [[ $2 == photons ]] && program=("-I$root/tests" "$root/tests/trace/photon_map_test.cpp" "$4/src/trace/photon_map.cpp") \
     libraries=("${catch2[@]}")
+  [[ $2 == beams ]] && program=("-I$root/tests" -DRAYWALK_GMP "$root/tests/trace/beam_cut_test.cpp" "$4/src/trace/unfolded_plan.cpp") \
+    libraries=("${catch2[@]}" -lgmpxx -lgmp)
   # shellcheck disable=SC2086
   if ! "$cxx" -std=c++20 -O1 -ffp-contract=off $3 -I"$4/src" "${program[@]}" \
     "$4"/src/{shape/polygon,accel/primitives,math/motion}.cpp "$work"/elementary_*.o -o "$work/$1.bin" "${libraries[@]}" >"$log" 2>&1; then

@@ -52,6 +52,29 @@ inline constexpr std::array<std::string_view, 36> photon_messages{
     "walk.background_counted",   "walk.emission_counted",   "walk.no_photons",          "walk.photons_found",
     "walk.caustic_found",        "walk.both_found",         "walk.photons_add_nothing", "walk.photons_added"};
 
+/// Of BEAM TRACING alone.
+inline constexpr std::array<std::string_view, 21> beam_messages{"walk.beam_formed",
+                                                                "walk.beam_cut",
+                                                                "walk.beam_whole",
+                                                                "walk.beam_sees_nothing",
+                                                                "walk.parts_called",
+                                                                "walk.mirrored_parts_called",
+                                                                "walk.part_sees",
+                                                                "walk.part_sees_nothing",
+                                                                "walk.part_shaded",
+                                                                "walk.part_background",
+                                                                "walk.part_background_no_mirror",
+                                                                "walk.part_no_mirror",
+                                                                "walk.part_mirrors",
+                                                                "walk.mirrored_beam_formed",
+                                                                "walk.beam_depth",
+                                                                "walk.beam_threshold",
+                                                                "walk.part_background_no_ray",
+                                                                "walk.part_sends_no_rays",
+                                                                "walk.part_sends_rays",
+                                                                "walk.part_added",
+                                                                "walk.last_part_added"};
+
 /// Of scenes under a sky.
 inline constexpr std::array<std::string_view, 10> sky_messages{
     "walk.found_sky",          "walk.found_sky_below",    "walk.sky_aimed_at",   "walk.sky_not_aimed_at",
@@ -69,6 +92,7 @@ inline std::set<std::string> strip_messages() {
     if (id.starts_with("walk.") && std::count(id.begin(), id.end(), '.') == 1 &&
         std::find(path_messages.begin(), path_messages.end(), id) == path_messages.end() &&
         std::find(photon_messages.begin(), photon_messages.end(), id) == photon_messages.end() &&
+        std::find(beam_messages.begin(), beam_messages.end(), id) == beam_messages.end() &&
         std::find(sky_messages.begin(), sky_messages.end(), id) == sky_messages.end() &&
         std::find(image_messages.begin(), image_messages.end(), id) == image_messages.end())
       ids.emplace(id);

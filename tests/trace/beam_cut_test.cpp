@@ -113,6 +113,39 @@ TEST_CASE("a straight mirror shows the plan reflected, and nothing that stands b
   }
 }
 
+TEST_CASE("edges of shadows on a wall are where the rays of a light that touch something arrive") {
+  // A wall along x = 4; in front of it a side from (2, 1) to (2, 2), and a circle of radius 1 about (1, 2).
+  const Vec2d eye(0, -4);
+  const PixelFan fan{{4, 0}, {4, 12}};  // the wall from y = -4 to y = 8
+  const auto places = [&](const Outline& before, const PlanLight& light) {
+    const std::vector<Outline> plan{wall({4, 0}, {1, 0}, 0), before};
+    std::vector<double> heights;
+    for (const Place& edge : UnfoldedPlan(plan, eye).shadow_edges(fan, {pixel_begin, pixel_end, 0}, light))
+      heights.push_back(-4 + 12 * edge.value());
+    return heights;
+  };
+  const auto check = [](const std::vector<double>& heights, double first, double second) {
+    REQUIRE(heights.size() == 2);
+    CHECK(heights[0] == Approx(first).epsilon(1e-15));
+    CHECK(heights[1] == Approx(second).epsilon(1e-15));
+  };
+  // From (0, 0), twice as far and twice as high; from the left, level and rising by 1 in 2.
+  check(places(side({2, 1}, {2, 2}, 1), {{0, 0}}), 2, 4);
+  check(places(side({2, 1}, {2, 2}, 1), {{-1, 0}, true}), 1, 2);
+  check(places(side({2, 1}, {2, 2}, 1), {{-2, -1}, true}), 2, 3);
+  // From (-4, 2), 5 from the centre: sine 1/5. From the left, level; by 4 in 3: 5/3 beside the ray through the centre.
+  check(places(circle({1, 2}, 1, 1), {{-4, 2}}), 2 - 8 / std::sqrt(24.0), 2 + 8 / std::sqrt(24.0));
+  check(places(circle({1, 2}, 1, 1), {{-1, 0}, true}), 1, 3);
+  check(places(circle({1, 2}, 1, 1), {{-3, -4}, true}), 6 - 5.0 / 3, 6 + 5.0 / 3);
+  // Mirrored in a wall along y = 0, seen from (0, 4).
+  const std::vector<Outline> plan{wall({4, 0}, {1, 0}, 0), side({2, 1}, {2, 2}, 1), wall({0, 0}, {0, 1}, 2)};
+  const PixelFan down{{4, -4}, {4, -16}};  // mirrored: to y = 0 up to y = 12 at x = 4
+  const auto edges = UnfoldedPlan(plan, {0, 4}).mirrored(2).shadow_edges(down, {pixel_begin, pixel_end, 0}, {{0, 0.5}});
+  REQUIRE(edges.size() == 2);
+  CHECK(12 * edges[0].value() == Approx(1.5).epsilon(1e-15));
+  CHECK(12 * edges[1].value() == Approx(3.5).epsilon(1e-15));
+}
+
 TEST_CASE("hard plans leave no gap and no overlap") {
   const Vec2d eye(0.0);
   const auto parts_of = [&](const std::vector<Outline>& plan, const PixelFan& fan = fan_ahead) {
