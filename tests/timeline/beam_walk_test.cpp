@@ -169,8 +169,8 @@ TEST_CASE("where light varies along a part, its middle stands for it: near the m
 TEST_CASE("beams are followed only where every outline is known") {
   Scene scene = lit();
   CHECK(why_no_beams(scene).empty());
-  scene.objects.push_back({"Egg", Sphere<double>{{0, 0, 0}, 1}});
-  scene.objects.back().transform.emplace_back(Scale{{1, 2, 1}});
+  scene.objects.push_back({"Egg", Sphere<double>{{0, 0, 0}, 1}, Material{}});
+  scene.objects.back().transform.push_back({Scale{{1, 2, 1}}});
   CHECK(why_no_beams(scene) == "Egg is transformed");
   CHECK(object_against_beams(scene) == "Egg");
   CHECK_FALSE(record_strip(scene).of_beams());

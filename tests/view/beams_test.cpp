@@ -135,7 +135,7 @@ TEST_CASE("any scene's walk can be of beams, and where it cannot, rays are walke
     CHECK_FALSE(sentence(state).empty());
   }
   Scene scene = state.scene();
-  scene.objects[0].transform.emplace_back(Scale{{1, 1.5, 1}});
+  scene.objects[0].transform.push_back({Scale{{1, 1.5, 1}}});
   State other = state_of(scene);
   update(other, action::SetImageSettings{settings});
   CHECK_FALSE(other.walk.timeline->of_beams());

@@ -5,6 +5,7 @@
 #include "view/walk/walk.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace raywalk {
@@ -26,6 +27,11 @@ class BeamPainter {
     const auto count = static_cast<int>(timeline_.rays_at(shown_.position).size());
     for (int index = 0; index < count; ++index)
       if (ray(index).beam >= 0 && is_seen(index)) draw_beam(index);
+    const int current = timeline_.current_ray(shown_.position);
+    const int mirrored = part_ >= 0 && current != part_ && ray(current).beam >= 0 ? current
+                         : part_ >= 0                                             ? ray(part_).parent
+                                                                                  : -1;
+    if (mirrored >= 0 && ray(mirrored).parent >= 0 && state_.legend.shows(RayKind::beam)) draw_backwards(mirrored);
     if (part_ >= 0 && part_ < count && state_.legend.shows(RayKind::beam) && beam(part_).added_at > shown_.position)
       note_coverage(part_);
   }
@@ -78,6 +84,20 @@ class BeamPainter {
     if (object < 0) return painter_.colours.dim_text;
     const Scene& scene = painter_.scene();
     return body_colour(scene, scene.objects[static_cast<std::size_t>(object)].material);
+  }
+
+  /// From where the rays of a mirrored beam seem to come.
+  void draw_backwards(int index) {
+    const BeamArea& area = beam(index).area;
+    const Vec2d first = plan(area.starts.front()), last = plan(area.starts.back());
+    const Vec2d back = first - plan(area.ends.front()), other = last - plan(area.ends.back());
+    const double across = cross(back, other);
+    if (!(std::abs(across) > 1e-9 * length(back) * length(other))) return;
+    const Vec2d apex = painter_.pixels(first + cross(last - first, other) / across * back);
+    const Stroke dashed{style_.colour.with_alpha(170), painter_.sizes.unit, painter_.scaled({{3, 5}, 2})};
+    painter_.add_clipped({painter_.pixels(first), apex, dashed});
+    painter_.add_clipped({painter_.pixels(last), apex, dashed});
+    painter_.add(CircleItem{apex, 5 * painter_.sizes.unit, std::nullopt, painter_.stroke(style_.colour, 1.6)});
   }
 
   void note_coverage(int index) {
