@@ -134,6 +134,9 @@ ExitCode fail_if_not_finite(const std::string& image, std::size_t pixels, std::u
 }
 
 ExitCode render_command(const RenderOptions& options) {
+  if (options.integrator && traits_of(*options.integrator).is_flat)
+    return fail({"", 0, 0, "beams are walked in the plan, and make no picture (expected another integrator)",
+                 "raywalk step SCENE --integrator beams walks them; --integrator distributed --spp 64 takes samples"});
   const auto load_start = Clock::now();
   // Warnings are not errors: the picture is the requested one.
   auto document = load_scene(options.scene, options.quiet ? SceneWarnings::kept : SceneWarnings::said);

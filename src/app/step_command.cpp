@@ -3,6 +3,7 @@
 #include "app/scene_lookup.h"
 #include "app/texts.h"
 #include "timeline/recorder.h"
+#include "trace/outlines.h"
 #include "trace/recursion.h"
 #include "view/export/export.h"
 #include "view/export/slides.h"
@@ -64,6 +65,17 @@ Timeline record(const StepOptions& options, const Scene& scene, ImageSize size) 
   return record_pixel(scene, size, pixel.column, pixel.row, how);
 }
 
+/// Why beams that are asked for cannot be walked.
+std::optional<Error> why_no_beam(const StepOptions& options, const Scene& scene) {
+  if (!traits_of(scene.render.integrator).is_flat) return std::nullopt;
+  const std::string why = why_no_beams(scene), hint = "--integrator whitted walks rays";
+  if (!why.empty()) return Error{options.scene, 0, 0, "beams cannot be followed here: " + why, hint};
+  if (options.pixel && std::holds_alternative<ImagePixel>(*options.pixel))
+    return Error{options.scene, 0, 0, "beams are walked in the plan: a pixel of the picture has none", hint};
+  if (options.fault) return Error{options.scene, 0, 0, "faults are those of rays, not of beams", hint};
+  return std::nullopt;
+}
+
 /// More would fill about half a gigabyte.
 constexpr double max_steps = 1'000'000;
 
@@ -108,6 +120,7 @@ ExitCode step_command(const StepOptions& options) {
   const ImageSize size = options.size.value_or(scene.image);
   if (const auto error = why_no_pixel(options, scene, size)) return refuse(*error);
 
+  if (const auto error = why_no_beam(options, scene)) return fail(*error);
   if (const auto error = why_too_deep(scene.limits.depth)) return fail(*error);
   if (const auto error = why_no_room(scene, scene_path(options.scene), options.precision)) return fail(*error);
   Result<Timeline> recorded = record_within_reason(options, scene, size);

@@ -186,6 +186,8 @@ Commands LegendRoom::commands() {
        .chosen = shows_rays<RayKind::refract>, .run = toggle_rays<RayKind::refract>},
       {.name = "rays-photon", .keys = {"Alt+8"}, .section = Section::rays, .line = "keys.rays_shown",
        .chosen = shows_rays<RayKind::photon>, .run = toggle_rays<RayKind::photon>},
+      {.name = "rays-beam", .keys = {"Alt+9"}, .section = Section::rays, .line = "keys.rays_shown",
+       .chosen = shows_rays<RayKind::beam>, .run = toggle_rays<RayKind::beam>},
       {.name = "only-pixel", .keys = {"Shift+L"}, .section = Section::rays, .chosen = shows_earlier<Earlier::hidden>,
        .run = [](const Ui& ui) {
          ui.act(action::ShowEarlier{shows_earlier<Earlier::hidden>(ui.state) ? Earlier::faded : Earlier::hidden});

@@ -40,11 +40,13 @@ template <class T, class AnyRay>
       *hit, world.accelerator.primitives().surface_at(hit->primitive, ray, Intersection<T>{hit->t, hit->part})};
 }
 
-/// Ray number `ray` of the recording, retraced from the eye through its ancestors; none if one of them misses.
+/// Ray number `ray` of the recording, retraced from the eye through its ancestors; none if one of them misses, or is a
+/// beam.
 template <class T>
 [[nodiscard]] std::optional<RayTwins<T>> retraced_ray(const World<T>& world, const RayGenerator<T>& camera,
                                                       const Timeline& timeline, int ray) {
   const auto record = [&](int number) -> const RayRecord& { return timeline.rays()[static_cast<std::size_t>(number)]; };
+  if (timeline.of_beams()) return std::nullopt;
   std::vector<int> way;
   for (int each = ray; each >= 0; each = record(each).parent) way.push_back(each);
   const PixelRecord& pixel = timeline.pixels()[static_cast<std::size_t>(record(ray).pixel)];

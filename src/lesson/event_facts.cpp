@@ -99,10 +99,18 @@ Value factor(const Moment& at, Of of) {
   return found != nullptr ? Value(of(*found)) : Value(Nothing{});
 }
 
-/// For a search: what was hit. For a line of SHADE, or its call: what is shaded.
+/// Of beam tracing: the part that the line is about; null if none.
+const RayRecord* part_of(const Moment& at) {
+  const int part = at.timeline.of_beams() ? at.timeline.part_of(at.timeline.current_ray(at.position)) : -1;
+  return part < 0 ? nullptr : &at.timeline.rays()[static_cast<std::size_t>(part)];
+}
+
+/// For a search: what was hit. For a line of SHADE, or its call: what is shaded. For a part of a beam: what it sees.
 Value object_of(const Moment& at) {
   if (const int* object = patch_object_of(at)) return object_name(at.scene, *object);
   const auto* found = at.is<Found>();
+  if (const RayRecord* part = part_of(at); part != nullptr && found == nullptr)
+    return part->object >= 0 ? Value(object_name(at.scene, part->object)) : Value(Nothing{});
   if (found != nullptr) return found->object >= 0 ? Value(object_name(at.scene, found->object)) : Value(Nothing{});
   const int frame = at.timeline.current_frame(at.position);
   const bool called = at.is<ShadeCalled>() != nullptr;
@@ -159,7 +167,11 @@ constexpr std::array facts{
            if (at.is<RayFormed>() != nullptr) return true;
            return at.is<RayNotFormed>() != nullptr ? Value(false) : Value(Nothing{});
          }},
-    Fact{"origin", [](const Moment& at) { return spawned(at, [](const auto& ray) -> Value { return ray.origin; }); }},
+    Fact{"origin",
+         [](const Moment& at) {
+           if (const auto* beam = at.is<BeamFormed>()) return Value(beam->apex);
+           return spawned(at, [](const auto& ray) -> Value { return ray.origin; });
+         }},
     Fact{"direction",
          [](const Moment& at) { return spawned(at, [](const auto& ray) -> Value { return ray.direction; }); }},
     Fact{"share",
@@ -241,6 +253,21 @@ constexpr std::array facts{
          [](const Moment& at) -> Value {
            const auto* decided = at.is<SurvivalDecided>();
            return decided != nullptr ? Value(decided->survival) : Value(Nothing{});
+         }},
+    Fact{"coverage",
+         [](const Moment& at) -> Value {
+           const auto* begun = at.is<PartBegun>();
+           return begun != nullptr ? Value(begun->coverage) : Value(Nothing{});
+         }},
+    Fact{"parts",
+         [](const Moment& at) -> Value {
+           const auto* cut = at.is<BeamCut>();
+           return cut != nullptr ? Value(static_cast<double>(cut->pieces.size())) : Value(Nothing{});
+         }},
+    Fact{"part_shade",
+         [](const Moment& at) -> Value {
+           const auto* added = at.is<PartAdded>();
+           return added != nullptr ? Value(added->shade) : Value(Nothing{});
          }},
     Fact{"caustic_inside",
          [](const Moment& at) { return photons(at, [](const PhotonsFound& f) { return 1.0 * f.caustic.count; }); }},

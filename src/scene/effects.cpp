@@ -135,7 +135,8 @@ EffectUse shadows(const Scene& scene, Integrator integrator) {
 }  // namespace
 
 Integrator integrator_of(const Scene& scene, int samples_per_pixel) {
-  if (scene.render.integrator != Integrator::automatic) return scene.render.integrator;
+  const Integrator chosen = scene.render.integrator;
+  if (chosen != Integrator::automatic && !traits_of(chosen).is_flat) return chosen;
   const Integrator whole = Integrator::distributed;
   const bool calls = samples_per_pixel > 1 || gloss(scene, whole).used || translucency(scene, whole).used ||
                      penumbra(scene, whole).used || depth_of_field(scene, whole).used || motion_blur(scene, whole).used;

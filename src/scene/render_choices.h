@@ -20,6 +20,7 @@ enum class Integrator {
   path,         ///< global illumination: path tracing (Kajiya 1986)
   photons,      ///< the same by photon mapping (Jensen 1996)
   radiosity,    ///< light between matt surfaces, from patch to patch (Goral et al. 1984)
+  beams,        ///< all rays of a pixel at once, in the plan (Heckbert and Hanrahan 1984)
 };
 /// What is to be known of an integrator before it runs. Its procedure is in trace.
 struct IntegratorTraits {
@@ -29,6 +30,7 @@ struct IntegratorTraits {
   bool draws_random = false;  ///< cast and whitted take their samples at fixed positions
   bool is_global = false;     ///< surfaces light each other
   bool is_recursive = true;   ///< follows rays beyond the first hit
+  bool is_flat = false;       ///< walks the strip only, in a flat world; the picture is as for `automatic`
 };
 /// All integrators, in the order of the enumeration: files, options and menus offer them from here.
 inline constexpr std::array integrators{
@@ -55,7 +57,11 @@ inline constexpr std::array integrators{
                      .name = "radiosity",
                      .follows = "light between matt surfaces, cut into patches",
                      .is_global = true,
-                     .is_recursive = false}};
+                     .is_recursive = false},
+    IntegratorTraits{.integrator = Integrator::beams,
+                     .name = "beams",
+                     .follows = "all rays of a pixel at once, in the plan only",
+                     .is_flat = true}};
 [[nodiscard]] constexpr const IntegratorTraits& traits_of(Integrator integrator) {
   return integrators[static_cast<std::size_t>(integrator)];
 }

@@ -76,11 +76,7 @@ class EventWriter {
     to_["what"] = "shade_computed";
     to_["ambient"] = triple(computed.ambient);
     to_["emission"] = triple(computed.emission);
-    to_["lights"] = Json::array();
-    for (const LightTerm& term : computed.lights) {
-      Json json = {{"light", term.light}, {"diffuse", triple(term.diffuse)}, {"specular", triple(term.specular)}};
-      to_["lights"].push_back(std::move(json));
-    }
+    lights(computed.lights);
     to_["reflect"] = triple(computed.reflect);
     to_["refract"] = triple(computed.refract);
     if (computed.transmittance != Rgbd(1.0)) to_["passed"] = triple(computed.transmittance);
@@ -240,6 +236,56 @@ class EventWriter {
     to_["shade"] = triple(looked.shade);
   }
 
+  void operator()(const BeamFormed& formed) const {
+    to_["what"] = "beam_formed";
+    to_["ray"] = formed.ray;
+    if (formed.parent >= 0) to_["parent"] = formed.parent;
+    to_["apex"] = triple(formed.apex);
+    to_["begin"] = formed.begin;
+    to_["end"] = formed.end;
+    to_["share"] = triple(formed.throughput);
+  }
+
+  void operator()(const BeamCut& cut) const {
+    to_["what"] = "beam_cut";
+    to_["ray"] = cut.ray;
+    for (const BeamPiece& piece : cut.pieces) {
+      Json part{{"ray", piece.ray}, {"begin", piece.begin}, {"end", piece.end}, {"coverage", piece.coverage}};
+      if (piece.object >= 0) EventWriter(scene_, part).object(piece.object);
+      part["origin"] = triple(piece.origin);
+      if (piece.object >= 0) part["point"] = triple(piece.point), part["normal"] = triple(piece.normal);
+      to_["parts"].push_back(std::move(part));
+    }
+  }
+
+  void operator()(const PartBegun& begun) const {
+    to_["what"] = "part_begun";
+    to_["ray"] = begun.ray;
+    to_["number"] = begun.number;
+    to_["count"] = begun.count;
+    to_["coverage"] = begun.coverage;
+  }
+
+  void operator()(const PartShaded& shaded) const {
+    to_["what"] = "part_shaded";
+    to_["ray"] = shaded.ray;
+    to_["ambient"] = triple(shaded.ambient);
+    to_["emission"] = triple(shaded.emission);
+    lights(shaded.lights);
+    to_["total"] = triple(shaded.total);
+  }
+
+  void operator()(const PartAdded& added) const {
+    to_["what"] = "part_added";
+    to_["ray"] = added.ray;
+    to_["local"] = triple(added.local);
+    to_["reflect"] = triple(added.reflect);
+    to_["refract"] = triple(added.refract);
+    to_["shade"] = triple(added.shade);
+    to_["of_beam"] = added.share;
+    to_["mean"] = triple(added.mean);
+  }
+
  private:
   [[nodiscard]] static Json light_of(const PatchLight& light) {
     return {{"irradiance", triple(light.irradiance)}, {"unshot", triple(light.unshot)}};
@@ -247,6 +293,13 @@ class EventWriter {
   void patch(int index, int of) const {
     to_["patch"] = index;
     object(of);
+  }
+  void lights(const std::vector<LightTerm>& terms) const {
+    to_["lights"] = Json::array();
+    for (const LightTerm& term : terms) {
+      Json json = {{"light", term.light}, {"diffuse", triple(term.diffuse)}, {"specular", triple(term.specular)}};
+      to_["lights"].push_back(std::move(json));
+    }
   }
   void circle(std::string_view name, const PhotonCircle& of) const {
     to_[std::string(name)] = {

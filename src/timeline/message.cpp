@@ -2,6 +2,7 @@
 
 #include "math/elementary.h"
 #include "math/overloaded.h"
+#include "timeline/beam_message.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,6 +26,8 @@ class Describer {
   [[nodiscard]] Message message() const {
     const Event* event = timeline_.just_run(position_);
     if (event == nullptr) return {"walk.start", {}};
+    if (timeline_.of_beams())
+      if (auto message = beam_message(scene_, timeline_, position_)) return std::move(*message);
     return std::visit([&](const auto& detail) { return describe(*event, detail); }, event->detail);
   }
 
@@ -46,6 +49,7 @@ class Describer {
   [[nodiscard]] bool came_from_outside() const { return dot(shaded_ray().normal, shaded_ray().direction) < 0; }
   /// The object whose surface the executing SHADE shades, or at which FOLLOW PATH stands.
   [[nodiscard]] std::string shaded() const {
+    if (timeline_.of_beams()) return object(ray(timeline_.part_of(timeline_.current_ray(position_))).object);
     if (!timeline_.of_paths()) return object(shaded_ray().object);
     const RayRecord& at = current();
     const bool leaves = at.kind == RayKind::shadow || at.formed_at == position_;
@@ -95,6 +99,8 @@ class Describer {
           return {"walk.photon_from_sky", {{"power", max_component(formed.throughput)}}};
         if (formed.light < 0) return {"walk.photon_from_object", {{"power", max_component(formed.throughput)}}};
         return {"walk.photon_emitted", {{"light", light(formed.light)}, {"power", max_component(formed.throughput)}}};
+      case RayKind::beam:
+        break;  // told by beam_message
     }
     return {};
   }
@@ -418,6 +424,12 @@ class Describer {
     if (looked.patch < 0) return {"walk.looked_up_dark", {{"object", object(met)}, {"colour", looked.shade}}};
     return {"walk.looked_up", {{"object", object(met)}, {"irradiance", looked.irradiance}, {"colour", looked.shade}}};
   }
+  // Told by beam_message.
+  [[nodiscard]] Message describe(const Event& /*event*/, const BeamFormed& /*formed*/) const { return {}; }
+  [[nodiscard]] Message describe(const Event& /*event*/, const BeamCut& /*cut*/) const { return {}; }
+  [[nodiscard]] Message describe(const Event& /*event*/, const PartBegun& /*begun*/) const { return {}; }
+  [[nodiscard]] Message describe(const Event& /*event*/, const PartShaded& /*shaded*/) const { return {}; }
+  [[nodiscard]] Message describe(const Event& /*event*/, const PartAdded& /*added*/) const { return {}; }
 
   static constexpr double nearly_all = 0.995;  ///< a weight that reads as 100%
   const Scene& scene_;

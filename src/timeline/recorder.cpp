@@ -1,5 +1,6 @@
 #include "timeline/recorder.h"
 
+#include "trace/beam_kernel.h"
 #include "trace/scene_kernel.h"
 
 namespace raywalk {
@@ -36,7 +37,23 @@ Timeline record_in(const Scene& scene, ImageSize size, ImageSize whole, const Pi
   return timeline;
 }
 
+/// In double whatever is asked for: their places have twice its bits. One sample: a beam is all of them.
+Timeline record_beams(const Scene& scene, ImageSize size, ImageSize whole, const PixelBlock& block,
+                      const Recording& how) {
+  WorldCache own;
+  const auto world =
+      (how.worlds != nullptr ? *how.worlds : own).of<double>(scene, AcceleratorKind::automatic, {}, how.stop);
+  const RayGenerator<double> camera(scene, size, whole);
+  const std::vector<Outline> outlines = outlines_of(scene);
+  Recorder recorder;
+  PixelBlock pixels = block;
+  pixels.stop = how.stop;
+  static_cast<void>(trace_beams_watched(*world, outlines, camera, pixels, recorder));
+  return recorder.take(size);
+}
+
 Timeline record(const Scene& scene, ImageSize size, ImageSize whole, const PixelBlock& block, const Recording& how) {
+  if (follows_beams(scene, how) && size.height == 1) return record_beams(scene, size, whole, block, how);
   switch (how.precision) {
     case Precision::float_:
       return record_in<float>(scene, size, whole, block, how);
@@ -47,6 +64,10 @@ Timeline record(const Scene& scene, ImageSize size, ImageSize whole, const Pixel
 }
 
 }  // namespace
+
+bool follows_beams(const Scene& scene, const Recording& how) {
+  return scene.render.integrator == Integrator::beams && !how.fault && why_no_beams(scene).empty();
+}
 
 Timeline record_strip(const Scene& scene, const Recording& how) {
   const int cells = scene.camera.screen.cells;

@@ -29,6 +29,9 @@ struct Recording {
   Stop stop{};                   ///< cancels it: the record functions then throw Stopped
 };
 
+/// Whether the strip is recorded as beams; else as rays: where its scene wants them, and there is no reason against it.
+[[nodiscard]] bool follows_beams(const Scene& scene, const Recording& how = {});
+
 /// The whole strip: row 0 of a cells x 1 image, which is the middle row of every image an odd multiple as large.
 [[nodiscard]] Timeline record_strip(const Scene& scene, const Recording& how = {});
 /// One cell of it; 0 <= cell < the screen's cells.

@@ -14,6 +14,7 @@ Timeline::Timeline(std::vector<Event> events, ImageSize image) : image_(image), 
   int innermost = -1;              // the current SHADE
   int pixel = -1;
   int on_path = -1;           // the current ray of FOLLOW PATH
+  std::vector<int> parts;     // of each SHADE PARTS, the current one
   Vec3d next_direction{0.0};  // the one that FOLLOW PATH has chosen
   Rgbd next_throughput{0.0};
 
@@ -23,6 +24,9 @@ Timeline::Timeline(std::vector<Event> events, ImageSize image) : image_(image), 
     const int executing = innermost;
     int ray = executing >= 0 ? frames_[static_cast<std::size_t>(executing)].ray : moments_.back().ray;
     if (on_path >= 0) ray = on_path;
+    parts.resize(frames_.size(), -1);
+    if (executing >= 0 && parts[static_cast<std::size_t>(executing)] >= 0)
+      ray = parts[static_cast<std::size_t>(executing)];
 
     const auto add_ray = [&](RayRecord record) {
       record.pixel = std::max(pixel, 0);  // photons, which no pixel has sent, count as the first one's
@@ -31,6 +35,10 @@ Timeline::Timeline(std::vector<Event> events, ImageSize image) : image_(image), 
       record.formed_at = after;
       ray = static_cast<int>(rays_.size());
       rays_.push_back(record);
+    };
+    const auto name_ray = [&](int number) {
+      record_of_ray.resize(std::max(record_of_ray.size(), static_cast<std::size_t>(number) + 1), -1);
+      record_of_ray[static_cast<std::size_t>(number)] = ray;
     };
     const auto end_path = [&] {
       frames_[static_cast<std::size_t>(innermost)].returned_at = after;
@@ -59,8 +67,7 @@ Timeline::Timeline(std::vector<Event> events, ImageSize image) : image_(image), 
               record.throughput = formed.throughput;
               record.found_at = static_cast<int>(events_.size()) + 1;
               add_ray(record);
-              record_of_ray.resize(std::max(record_of_ray.size(), static_cast<std::size_t>(formed.ray) + 1), -1);
-              record_of_ray[static_cast<std::size_t>(formed.ray)] = ray;
+              name_ray(formed.ray);
               if (event.line == Line::form_next_ray || event.line == Line::photon_form_next_ray ||
                   event.line == Line::gather_form_next_ray)
                 on_path = ray;
@@ -196,6 +203,66 @@ Timeline::Timeline(std::vector<Event> events, ImageSize image) : image_(image), 
             [&](const PhotonsAdded& photons) {
               frames_[static_cast<std::size_t>(innermost)].returned += photons.added;
             },
+            [&](const BeamFormed& formed) {
+              RayRecord record;
+              record.kind = RayKind::beam;
+              record.parent = parent_of(formed.parent);
+              record.origin = formed.area.starts.front();
+              record.end = formed.area.ends.front();
+              record.direction = normalize(record.end - record.origin);
+              record.endless = true;
+              record.throughput = formed.throughput;
+              record.found_at = static_cast<int>(events_.size()) + 1;
+              record.beam = static_cast<int>(beams_.size());
+              beams_.push_back({formed.area, formed.begin, formed.end, formed.end - formed.begin});
+              add_ray(record);
+              name_ray(formed.ray);
+            },
+            [&](const BeamCut& cut) {
+              const int whole = index_of(cut.ray);
+              rays_[static_cast<std::size_t>(whole)].found_at = after;
+              rays_[static_cast<std::size_t>(whole)].ending = Ending::hit;
+              BeamRecord& beam = beams_[static_cast<std::size_t>(rays_[static_cast<std::size_t>(whole)].beam)];
+              beam.parts = static_cast<int>(cut.pieces.size());
+              const double width = beam.end - beam.begin;
+              for (const BeamPiece& piece : cut.pieces) {
+                RayRecord record;
+                record.kind = RayKind::beam;
+                record.ending = piece.object < 0 ? Ending::missed : Ending::hit;
+                record.parent = whole;
+                record.origin = piece.origin;
+                record.end = piece.point;
+                record.direction = normalize(piece.point - piece.origin);
+                record.endless = piece.object < 0;
+                record.normal = piece.normal;
+                record.object = piece.object;
+                record.throughput = rays_[static_cast<std::size_t>(whole)].throughput * (piece.coverage / width);
+                record.found_at = after;
+                record.beam = static_cast<int>(beams_.size());
+                const int never = static_cast<int>(events_.size()) + 1;
+                beams_.push_back({piece.area, piece.begin, piece.end, piece.coverage, 0, never, never});
+                add_ray(record);
+                name_ray(piece.ray);
+              }
+              ray = whole;
+            },
+            [&](const PartBegun& begun) {
+              ray = index_of(begun.ray);
+              parts[static_cast<std::size_t>(innermost)] = ray;
+              beams_[static_cast<std::size_t>(rays_[static_cast<std::size_t>(ray)].beam)].begun_at = after;
+            },
+            [&](const PartShaded&) {},
+            [&](const PartAdded& added) {
+              ray = index_of(added.ray);
+              BeamRecord& part = beams_[static_cast<std::size_t>(rays_[static_cast<std::size_t>(ray)].beam)];
+              part.added_at = after;
+              part.shade = added.shade;
+              FrameRecord& frame = frames_[static_cast<std::size_t>(innermost)];
+              frame.returned = added.mean;
+              if (!added.last) return;
+              frame.returned_at = after;
+              innermost = frame.parent;
+            },
             [&](const PixelPut& put) {
               pixels_.back().shade = put.shade;
               pixels_.back().mean = put.shade;
@@ -211,6 +278,15 @@ Timeline::Timeline(std::vector<Event> events, ImageSize image) : image_(image), 
         event.detail);
     moments_.push_back({static_cast<int>(rays_.size()), ray, executing, innermost, pixel});
   }
+}
+
+int Timeline::part_of(int ray) const {
+  while (ray >= 0) {
+    const RayRecord& record = rays_[static_cast<std::size_t>(ray)];
+    if (record.beam >= 0 && beams_[static_cast<std::size_t>(record.beam)].parts == 0 && record.parent >= 0) return ray;
+    ray = record.parent;
+  }
+  return -1;
 }
 
 const PhotonMaps* Timeline::photons() const {

@@ -38,17 +38,29 @@ struct RayRecord {
   int light = -1;           ///< shadow rays, photons: index in Scene::lights
   Rgbd throughput{1.0};     ///< at most this fraction of its radiance reaches the pixel
   Rgbd transmittance{1.0};  ///< shadow rays: of filtering objects
+  int beam = -1;            ///< index in beams(): a beam or a part of one
   int formed_at = 0;        ///< position from which it is drawn
   int found_at = 0;         ///< position from which its end is known
 };
 
-/// One execution of SHADE, FOLLOW PATH, FOLLOW PHOTON or GATHER LIGHT.
+/// One execution of SHADE, FOLLOW PATH, FOLLOW PHOTON, GATHER LIGHT or SHADE PARTS.
 struct FrameRecord {
   int parent = -1;  ///< index in frames() of the suspended caller; -1 when MAIN ALGORITHM or PATH TRACING called
   int depth = 1;
   int ray = 0;                         ///< index in rays() of the ray that is shaded; the primary ray of a path
   int called_at = 0, returned_at = 0;  ///< positions: it is on the stack in [called_at, returned_at)
   Rgbd returned{0.0};                  ///< RTNSHADE
+};
+
+/// A beam, or a part that sees one thing.
+struct BeamRecord {
+  BeamArea area;
+  double begin = 0, end = 1;  ///< in the pixel's width
+  double coverage = 1;        ///< of the pixel
+  int parts = 0;              ///< that a beam was cut into; 0: this is a part
+  int begun_at = 0;           ///< position from which a part is shaded
+  int added_at = 0;           ///< and from which its shade is known
+  Rgbd shade{0.0};
 };
 
 /// One sample of one pixel.
@@ -74,6 +86,8 @@ class Timeline {
   [[nodiscard]] bool of_photons() const { return pseudocode().lines.front().line == Line::for_each_photon; }
   /// Whether it is a recording of RADIOSITY.
   [[nodiscard]] bool of_radiosity() const { return pseudocode().lines.front().line == Line::cut_patches; }
+  /// Whether it is a recording of BEAM TRACING.
+  [[nodiscard]] bool of_beams() const { return pseudocode().lines.front().line == Line::beam_for_each_pixel; }
   /// The pseudocode whose lines it walks.
   [[nodiscard]] const Pseudocode& pseudocode() const {
     return events_.empty() ? pseudocodes.front() : pseudocode_with(events_.front().line);
@@ -93,7 +107,7 @@ class Timeline {
   /// The position from which all of them are there.
   [[nodiscard]] int all_photons_at() const { return all_photons_at_; }
   /// Whether it runs in a flat world.
-  [[nodiscard]] bool is_flat() const { return flat_; }
+  [[nodiscard]] bool is_flat() const { return flat_ || of_beams(); }
   /// Of RADIOSITY; else null.
   [[nodiscard]] const Patches* patches() const { return patches_.get(); }
   void set_patches(std::shared_ptr<const Patches> patches, bool flat) {
@@ -106,6 +120,9 @@ class Timeline {
   [[nodiscard]] double unshot_at(int position) const;
   /// The position after the first shot that ends behind `position`, or -1.
   [[nodiscard]] int end_of_shot(int position) const;
+  [[nodiscard]] const std::vector<BeamRecord>& beams() const { return beams_; }
+  /// Index in rays() of the part that the line just run is about, or whose rays are; -1 for none.
+  [[nodiscard]] int part_of(int ray) const;
   void set_photons(std::shared_ptr<const std::vector<PhotonMaps>> maps, bool flat) {
     photon_maps_ = std::move(maps);
     flat_ = flat;
@@ -164,6 +181,7 @@ class Timeline {
   std::vector<PixelRecord> pixels_;
   std::vector<Moment> moments_{1};  ///< steps() + 1
   std::vector<StoredPhoton> stored_photons_;
+  std::vector<BeamRecord> beams_;
   std::shared_ptr<const std::vector<PhotonMaps>> photon_maps_;
   int all_photons_at_ = 0;
   std::shared_ptr<const Patches> patches_;

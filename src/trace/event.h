@@ -16,15 +16,13 @@
 
 namespace raywalk {
 
-/// `photon`: what leaves a light, or a surface where a photon was.
-enum class RayKind { primary, shadow, reflect, refract, photon };
+/// `photon`: what leaves a light, or a surface where a photon was. `beam`: all rays of a pixel, or a part of them.
+enum class RayKind { primary, shadow, reflect, refract, photon, beam };
 template <>
-inline constexpr Word<RayKind> words_of<RayKind>[] = {{RayKind::primary, "primary"},
-                                                      {RayKind::shadow, "shadow"},
-                                                      {RayKind::reflect, "reflect"},
-                                                      {RayKind::refract, "refract"},
-                                                      {RayKind::photon, "photon"}};
-inline constexpr int ray_kind_count = 5;
+inline constexpr Word<RayKind> words_of<RayKind>[] = {{RayKind::primary, "primary"}, {RayKind::shadow, "shadow"},
+                                                      {RayKind::reflect, "reflect"}, {RayKind::refract, "refract"},
+                                                      {RayKind::photon, "photon"},   {RayKind::beam, "beam"}};
+inline constexpr int ray_kind_count = 6;
 
 /// Why a ray ended, or why it was not formed. A formed ray ends in one of the first four.
 enum class Ending {
@@ -345,11 +343,69 @@ struct LightLookedUp {
   Rgbd irradiance, albedo, emission, shade;
 };
 
-using EventDetail =
-    std::variant<PixelBegun, RayFormed, RayNotFormed, Found, Decided, ShadeCalled, ShadeComputed, PixelPut,
-                 BackgroundAdded, EmissionAdded, LightAdded, DirectionChosen, SurvivalDecided, PhotonBegun,
-                 PhotonStored, PhotonsFound, PhotonsAdded, PatchesMade, UnshotLight, PatchTaken, PatchShot,
-                 PatchInFront, FormFactorFound, LightArrived, PatchEmptied, LightLookedUp>;
+// Beam tracing only, from here on. Places in the pixel's width go from 0 to 1.
+
+/// The rays between two places, as they are drawn: from where they start to where they end; as many of each. A beam
+/// that meets nothing ends far outside.
+struct BeamArea {
+  std::vector<Vec3d> starts, ends;
+};
+
+/// form_beam, form_mirrored_beam.
+struct BeamFormed {
+  int ray;     ///< number of the beam, among the rays of this recording
+  int parent;  ///< the part that was mirrored; -1 for a pixel's beam
+  Vec3d apex;  ///< from where its rays come, or seem to: EYE, or its mirror image
+  double begin, end;
+  BeamArea area;
+  Rgbd throughput;
+};
+
+/// A part of a beam. `object`: index in Scene::objects, what all of it sees; -1: nothing.
+struct BeamPiece {
+  int ray;  ///< number of the part
+  int object;
+  double begin, end;
+  double coverage;  ///< of the pixel: the width between these two places, to the last bit
+  BeamArea area;
+  Vec3d origin, point, normal;  ///< of the ray in its middle; `point`, `normal`: if it sees something
+};
+/// cut_beam, cut_mirrored_beam.
+struct BeamCut {
+  int ray;
+  std::vector<BeamPiece> pieces;
+};
+
+/// for_each_part.
+struct PartBegun {
+  int ray, number, count;  ///< the part, and its number, from 0, of as many
+  double coverage;
+  bool sees_nothing;
+};
+
+/// shade_middle: what lights and the surface itself bring. A part that sees nothing: the background.
+struct PartShaded {
+  int ray;
+  Rgbd ambient, emission;
+  std::vector<LightTerm> lights;
+  Rgbd total;
+};
+
+/// add_part.
+struct PartAdded {
+  int ray;
+  Rgbd local, reflect, refract;  ///< local: of shade_middle; kr' I(reflect) and kt' I(refract)
+  Rgbd shade;                    ///< of the part
+  double share;                  ///< of the beam
+  Rgbd mean;                     ///< of the beam, up to the end of this part
+  bool last;
+};
+
+using EventDetail = std::variant<PixelBegun, RayFormed, RayNotFormed, Found, Decided, ShadeCalled, ShadeComputed,
+                                 PixelPut, BackgroundAdded, EmissionAdded, LightAdded, DirectionChosen, SurvivalDecided,
+                                 PhotonBegun, PhotonStored, PhotonsFound, PhotonsAdded, PatchesMade, UnshotLight,
+                                 PatchTaken, PatchShot, PatchInFront, FormFactorFound, LightArrived, PatchEmptied,
+                                 LightLookedUp, BeamFormed, BeamCut, PartBegun, PartShaded, PartAdded>;
 
 struct Event {
   Line line;

@@ -8,7 +8,7 @@
 
 namespace raywalk {
 
-/// The procedures of the tracer, those of path tracing, those of photon mapping, and those of radiosity.
+/// The procedures of the tracer, of path tracing, of photon mapping, of radiosity, and of beam tracing.
 enum class Procedure {
   main_algorithm,
   shade,
@@ -18,7 +18,9 @@ enum class Procedure {
   follow_photon,
   gather_light,
   radiosity,
-  shoot_light
+  shoot_light,
+  beam_tracing,
+  shade_parts,
 };
 template <>
 inline constexpr Word<Procedure> words_of<Procedure>[] = {{Procedure::main_algorithm, "MAIN ALGORITHM"},
@@ -29,11 +31,13 @@ inline constexpr Word<Procedure> words_of<Procedure>[] = {{Procedure::main_algor
                                                           {Procedure::follow_photon, "FOLLOW PHOTON (POWER)"},
                                                           {Procedure::gather_light, "GATHER LIGHT (RTNSHADE)"},
                                                           {Procedure::radiosity, "RADIOSITY"},
-                                                          {Procedure::shoot_light, "SHOOT LIGHT (PATCH)"}};
+                                                          {Procedure::shoot_light, "SHOOT LIGHT (PATCH)"},
+                                                          {Procedure::beam_tracing, "BEAM TRACING"},
+                                                          {Procedure::shade_parts, "SHADE PARTS (DEPTH, RTNSHADE)"}};
 
 /// The lines of the procedures, in the order shown on the screen. Each text is also the comment that heads its
-/// statement in trace/tracer.h, trace/path.h, trace/photons.h or trace/radiosity.h; a test holds the two together, and
-/// another each to its translations.
+/// statement in trace/tracer.h, trace/path.h, trace/photons.h, trace/radiosity.h or trace/beams.h; a test holds the two
+/// together, and another each to its translations.
 enum class Line {
   for_each_pixel,
   form_primary_ray,
@@ -111,6 +115,24 @@ enum class Line {
   compute_form_factor,
   add_what_arrives,
   forget_unshot_light,
+  // Beam tracing's.
+  beam_for_each_pixel,
+  form_beam,
+  cut_beam,
+  shade_parts,
+  beam_put_final_shade,
+  for_each_part,
+  beam_form_shadow_ray,
+  beam_find_intersection,
+  shade_middle,
+  if_straight_mirror,
+  form_mirrored_beam,
+  cut_mirrored_beam,
+  shade_mirrored_parts,
+  if_curved_or_glass,
+  form_middle_ray,
+  follow_middle_ray,
+  add_part,
 };
 
 struct PseudocodeLine {
@@ -215,14 +237,38 @@ inline constexpr std::array<PseudocodeLine, radiosity_line_count> radiosity_pseu
     {Line::forget_unshot_light, "forget_unshot_light", Procedure::shoot_light, 0, "Forget unshot light"},
 }};
 
+inline constexpr int beam_line_count = 17;
+inline constexpr std::array<PseudocodeLine, beam_line_count> beam_pseudocode{{
+    {Line::beam_for_each_pixel, "for_each_pixel", Procedure::beam_tracing, 0, "For each pixel"},
+    {Line::form_beam, "form_beam", Procedure::beam_tracing, 1, "Form beam of the pixel"},
+    {Line::cut_beam, "cut_beam", Procedure::beam_tracing, 1, "Cut beam by outlines and shadows"},
+    {Line::shade_parts, "shade_parts", Procedure::beam_tracing, 1, "Shade parts (DEPTH+1, final)"},
+    {Line::beam_put_final_shade, "put_final_shade", Procedure::beam_tracing, 1, "Put final shade in pixel"},
+    {Line::for_each_part, "for_each_part", Procedure::shade_parts, 0, "For each part"},
+    {Line::beam_form_shadow_ray, "form_shadow_ray", Procedure::shade_parts, 1, "Form shadow ray"},
+    {Line::beam_find_intersection, "find_intersection", Procedure::shade_parts, 1, "Find intersection"},
+    {Line::shade_middle, "shade_middle", Procedure::shade_parts, 1, "Shade its middle"},
+    {Line::if_straight_mirror, "if_straight_mirror", Procedure::shade_parts, 1, "If straight mirror"},
+    {Line::form_mirrored_beam, "form_mirrored_beam", Procedure::shade_parts, 2, "Form mirrored beam"},
+    {Line::cut_mirrored_beam, "cut_mirrored_beam", Procedure::shade_parts, 2, "Cut it by outlines and shadows"},
+    {Line::shade_mirrored_parts, "shade_mirrored_parts", Procedure::shade_parts, 2, "Shade parts (DEPTH+1, REFLSHADE)"},
+    {Line::if_curved_or_glass, "if_curved_or_glass", Procedure::shade_parts, 1, "If curved mirror or glass"},
+    {Line::form_middle_ray, "form_middle_ray", Procedure::shade_parts, 2, "Form ray from its middle"},
+    {Line::follow_middle_ray, "follow_middle_ray", Procedure::shade_parts, 2, "Follow it as a ray"},
+    {Line::add_part, "add_part", Procedure::shade_parts, 1, "Add shade, times coverage"},
+}};
+
 /// The lines of several procedures: of the one that runs once for each pixel, and of those that it calls.
 struct Pseudocode {
   std::span<const PseudocodeLine> lines;
   bool recursive;  ///< the second one calls itself, DEPTH deep
 };
 /// All pseudocodes, in the order of their lines.
-inline constexpr std::array<Pseudocode, 4> pseudocodes{
-    {{pseudocode, true}, {path_pseudocode, false}, {photon_pseudocode, false}, {radiosity_pseudocode, false}}};
+inline constexpr std::array<Pseudocode, 5> pseudocodes{{{pseudocode, true},
+                                                        {path_pseudocode, false},
+                                                        {photon_pseudocode, false},
+                                                        {radiosity_pseudocode, false},
+                                                        {beam_pseudocode, true}}};
 inline constexpr int all_lines_count = static_cast<int>(pseudocodes.back().lines.back().line) + 1;
 
 /// The one that a line belongs to.
@@ -257,6 +303,10 @@ inline constexpr int all_lines_count = static_cast<int>(pseudocodes.back().lines
       return "radiosity";
     case Procedure::shoot_light:
       return "shoot_light";
+    case Procedure::beam_tracing:
+      return "beam_tracing";
+    case Procedure::shade_parts:
+      return "shade_parts";
   }
   return "";
 }

@@ -99,6 +99,12 @@ class RayGenerator {
     return primary_ray(pixel, draws, statistics);
   }
 
+  /// From the eye through the left edge of a column, at the middle of a row; column = width: the picture's right edge.
+  [[nodiscard]] Vec3<T> edge(int column, int row) const {
+    return through({static_cast<T>(2 * column - size_.width), static_cast<T>(size_.height - 1 - 2 * row)});
+  }
+  [[nodiscard]] const Vec3<T>& eye() const { return eye_; }
+
   [[nodiscard]] ImageSize size() const { return size_; }
   [[nodiscard]] const Sampling& sampling() const { return sampling_; }
   [[nodiscard]] Sampler sampler() const { return sampler_; }

@@ -60,6 +60,14 @@ class Tracer {
     }
   }
 
+  /// What comes back along one ray, whose hit SHADE shades at this depth. `medium`: that it starts in, if known.
+  Rgb<T> radiance_along(const Ray& ray, int depth, const typename World<T>::Medium* medium) {
+    TreeRay followed(ray, RayKind::reflect, Rgb<T>(1), 0);
+    if constexpr (Policy::effects.refraction) followed.in.medium = medium;
+    const Nearest nearest = find_closest(Line::find_reflect_intersect, depth, followed);
+    return nearest ? shade(depth, followed, *nearest) : background_along(followed);
+  }
+
   [[nodiscard]] const Statistics& statistics() const { return statistics_; }
 
  private:

@@ -38,7 +38,8 @@ const Camera& image_camera(const State& state) {
 
 void choose(const State& state, RenderChoices& choices) {
   if (state.walk.bug) {
-    if (traits_of(choices.integrator).is_global) choices.integrator = Integrator::automatic;
+    const IntegratorTraits& traits = traits_of(choices.integrator);
+    if (traits.is_global || traits.is_flat) choices.integrator = Integrator::automatic;
     choices.numerics = Numerics::naive;
     return;
   }

@@ -171,3 +171,29 @@ mutant strings_not_halved radiosity trace/form_factor.h 'return 0.5 * (crossed -
 mutant strings_swapped radiosity trace/form_factor.cpp 'length(other->a - one->a) + length(other->b - one->b)' \
   'length(other->b - one->a) + length(other->a - one->b)'
 mutant strings_behind radiosity trace/form_factor.cpp 'if (a >= 0 && b >= 0) return edge;' 'return edge;'
+# --- Beams ------------------------------------------------------------------------------------------------------------
+mutant beams_reflected_the_other_way beams trace/unfolded_plan.cpp 'line.normal * (across * 2.0)' 'line.normal * (across * -2.0)'
+mutant beams_mirrors_in_the_wrong_order beams trace/unfolded_plan.cpp 'const ExactLine line = line_of((*outlines_)[static_cast<std::size_t>(mirrors_[i])]);' \
+  'const ExactLine line = line_of((*outlines_)[static_cast<std::size_t>(mirrors_[mirrors_.size() - 1 - i])]);'
+mutant beams_see_through_the_mirror beams trace/unfolded_plan.cpp 'static_cast<double>(at - *beyond) > alike * beyond->hi' 'at.hi > 0'
+mutant beams_farthest_first beams trace/unfolded_plan.cpp '(*least - *at) > alike' '(*at - *least) > alike'
+mutant beams_last_of_those_upon_each_other beams trace/unfolded_plan.cpp '!(static_cast<double>(*least - *at) > alike * least->hi)' \
+  '!(static_cast<double>(*least - *at) > -alike * least->hi)'
+mutant beams_sides_without_ends beams trace/unfolded_plan.cpp 'if (!outline.endless && (cross' 'if (outline.endless && (cross'
+mutant beams_corner_forgotten beams trace/unfolded_plan.cpp 'parallel(turned_left(one.from)), parallel(turned_left(one.to));' \
+  'parallel(turned_left(one.from));'
+mutant beams_tangents_forgotten beams trace/unfolded_plan.cpp 'equal({cross(begin, one.centre), 0.0}, {cross(end, one.centre), 0.0}, one.square, begin, end);' ';'
+mutant beams_crossings_forgotten beams trace/unfolded_plan.cpp 'parallel(other.normal * one.offset - one.normal * other.offset);' ';'
+mutant beams_radical_line_signed_wrong beams trace/unfolded_plan.cpp 'other.square - one.square + dot' 'one.square - other.square + dot'
+mutant beams_one_root_of_two beams trace/unfolded_plan.cpp 'if (sum.hi != 0) add(a.rounded() / sum);' ''
+mutant beams_roots_that_cancel beams trace/unfolded_plan.cpp 'half.sign() < 0 ? root - half.rounded()' 'half.sign() > 0 ? root - half.rounded()'
+mutant beams_rounded_to_doubles beams trace/unfolded_plan.cpp 'std::nearbyint(((x.hi - high) + x.lo) * fine) / fine' '0'
+mutant beams_wide_slivers_dropped beams trace/unfolded_plan.cpp 'least_width = 0x1p-98' 'least_width = 0x1p-58'
+mutant beams_near_side_only beams trace/unfolded_plan.cpp 'return lies_beyond(far) ? std::optional(far) : std::nullopt;' 'return std::nullopt;'
+mutant beams_gap_between_parts beams trace/unfolded_plan.cpp '    last = place;' '    last = {place.high + 0x1p-52, place.low};'
+mutant beams_shadows_from_the_eye beams trace/unfolded_plan.cpp 'return std::pair{begin * surface.offset - start * n0, end * surface.offset - start * n1};' \
+  'return std::pair{begin * surface.offset, end * surface.offset};'
+mutant beams_shadows_of_one_corner beams trace/unfolded_plan.cpp 'corner(outline.from), corner(outline.to);' 'corner(outline.from);'
+mutant beams_sun_at_a_place beams trace/unfolded_plan.cpp 'light.is_distant ? place : at - place' 'at - place'
+mutant beams_round_shadows_too_wide beams trace/unfolded_plan.cpp 'c0 * c0 - outline.square * dot(w0, w0)' 'c0 * c0 - 4.0 * outline.square * dot(w0, w0)'
+mutant beams_round_shadows_of_the_sun_too_wide beams trace/unfolded_plan.cpp 'square = outline.square * dot(place, place)' 'square = outline.square'

@@ -44,6 +44,8 @@ verdict() {
     libraries=("${catch2[@]}")
   [[ $2 == radiosity ]] && program=("-I$root/tests" "$root/tests/trace/form_factor_test.cpp" "$4/src/trace/form_factor.cpp") \
     libraries=("${catch2[@]}")
+  [[ $2 == beams ]] && program=("-I$root/tests" -DRAYWALK_GMP "$root/tests/trace/beam_cut_test.cpp" "$4/src/trace/unfolded_plan.cpp") \
+    libraries=("${catch2[@]}" -lgmpxx -lgmp)
   # shellcheck disable=SC2086
   if ! "$cxx" -std=c++20 -O1 -ffp-contract=off $3 -I"$4/src" "${program[@]}" \
     "$4"/src/{shape/polygon,accel/primitives,math/motion}.cpp "$work"/elementary_*.o -o "$work/$1.bin" "${libraries[@]}" >"$log" 2>&1; then

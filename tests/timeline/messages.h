@@ -60,6 +60,29 @@ inline constexpr std::array<std::string_view, 20> radiosity_messages{
     "walk.factor_blocked", "walk.light_arrives",  "walk.light_absorbed", "walk.no_light_arrives",
     "walk.patch_emptied",  "walk.looked_up",      "walk.looked_up_dark", "walk.looked_up_nothing"};
 
+/// Of BEAM TRACING alone.
+inline constexpr std::array<std::string_view, 21> beam_messages{"walk.beam_formed",
+                                                                "walk.beam_cut",
+                                                                "walk.beam_whole",
+                                                                "walk.beam_sees_nothing",
+                                                                "walk.parts_called",
+                                                                "walk.mirrored_parts_called",
+                                                                "walk.part_sees",
+                                                                "walk.part_sees_nothing",
+                                                                "walk.part_shaded",
+                                                                "walk.part_background",
+                                                                "walk.part_background_no_mirror",
+                                                                "walk.part_no_mirror",
+                                                                "walk.part_mirrors",
+                                                                "walk.mirrored_beam_formed",
+                                                                "walk.beam_depth",
+                                                                "walk.beam_threshold",
+                                                                "walk.part_background_no_ray",
+                                                                "walk.part_sends_no_rays",
+                                                                "walk.part_sends_rays",
+                                                                "walk.part_added",
+                                                                "walk.last_part_added"};
+
 /// Of scenes under a sky.
 inline constexpr std::array<std::string_view, 10> sky_messages{
     "walk.found_sky",          "walk.found_sky_below",    "walk.sky_aimed_at",   "walk.sky_not_aimed_at",
@@ -78,6 +101,7 @@ inline std::set<std::string> strip_messages() {
         std::find(path_messages.begin(), path_messages.end(), id) == path_messages.end() &&
         std::find(photon_messages.begin(), photon_messages.end(), id) == photon_messages.end() &&
         std::find(radiosity_messages.begin(), radiosity_messages.end(), id) == radiosity_messages.end() &&
+        std::find(beam_messages.begin(), beam_messages.end(), id) == beam_messages.end() &&
         std::find(sky_messages.begin(), sky_messages.end(), id) == sky_messages.end() &&
         std::find(image_messages.begin(), image_messages.end(), id) == image_messages.end())
       ids.emplace(id);

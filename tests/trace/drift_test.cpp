@@ -82,7 +82,6 @@ TEST_CASE("every line of pseudocode heads its statement in the photon tracer") {
     CHECK(pseudocode_of(line.line).text == line.text);
     CHECK(&pseudocode_with(line.line) == &pseudocodes[2]);
   }
-  CHECK(static_cast<int>(Line::gather_form_next_ray) == number - 1);
 }
 
 TEST_CASE("every line of pseudocode heads its statement in radiosity") {
@@ -101,6 +100,25 @@ TEST_CASE("every line of pseudocode heads its statement in radiosity") {
     CHECK(static_cast<int>(line.line) == number++);
     CHECK(pseudocode_of(line.line).text == line.text);
     CHECK(&pseudocode_with(line.line) == &pseudocodes[3]);
+  }
+}
+
+TEST_CASE("every line of pseudocode heads its statement in the beam tracer") {
+  const std::string source = test::source_of(RAYWALK_SOURCE_DIR "/src/trace/beams.h");
+  const auto beam_drift = [](const std::string& text) {
+    return test::drift(text, beam_pseudocode,
+                       {std::pair{Procedure::beam_tracing, "void main_algorithm("},
+                        std::pair{Procedure::shade_parts, "Rgbd shade_parts("}});
+  };
+  REQUIRE_FALSE(source.empty());
+  CHECK(beam_drift(source) == "");
+  CHECK_THAT(beam_drift(replaced(source, "// Shade its middle", "// Shade one of its points")),
+             contains("expected `// Shade its middle`, found `// Shade one of its points`"));
+  int number = line_count + path_line_count + photon_line_count + radiosity_line_count;
+  for (const PseudocodeLine& line : beam_pseudocode) {
+    CHECK(static_cast<int>(line.line) == number++);
+    CHECK(pseudocode_of(line.line).text == line.text);
+    CHECK(&pseudocode_with(line.line) == &pseudocodes[4]);
   }
   CHECK(number == all_lines_count);
 }

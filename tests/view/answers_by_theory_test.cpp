@@ -93,6 +93,11 @@ constexpr std::array theory{
     Theory{"15-photons", "glass", "2"},
     Theory{"15-photons", "circle", "59"},  // 60, without the one on the edge
     Theory{"15-photons", "caustic", "1"},
+    Theory{"18-rays-with-width", "one-ray", "1"},
+    Theory{"18-rays-with-width", "coverage", "0.3"},  // 0.405 - 0.315 of the slopes from 0.15 to 0.45
+    Theory{"18-rays-with-width", "mirror", "2"},
+    Theory{"18-rays-with-width", "seen", "0.5"},
+    Theory{"18-rays-with-width", "bent", "2"},
 };
 
 /// Numbers that students answer who have not understood: none may pass for right.
@@ -113,6 +118,7 @@ constexpr std::array usual_mistakes{
     Theory{"13-whitted-to-path-tracing", "price", "4"},       // one to one
     Theory{"13-whitted-to-path-tracing", "one-or-two", "2"},  // a pair
     Theory{"15-photons", "circle", "60"},                     // with the one on the edge
+    Theory{"18-rays-with-width", "coverage", "0.25"},         // a part of four
 };
 
 void give_answer(State& state, const char* said) {

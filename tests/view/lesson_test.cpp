@@ -45,7 +45,7 @@ void go_to_question(State& state, Asks asks) {
 TEST_CASE("the list holds all lessons, of which the first is open to a student") {
   const State state = with_lessons();
   const auto rows = lesson_panel(state).rows;
-  REQUIRE(rows.size() == 15);
+  REQUIRE(rows.size() == 16);
   CHECK(rows[0].title == "Ray casting");
   CHECK_FALSE(rows[0].locked);
   for (std::size_t i = 1; i < rows.size(); ++i) CHECK(rows[i].locked);

@@ -339,7 +339,7 @@ TEST_CASE("the longest status has room for every status of the walk") {
 
 TEST_CASE("the legend has all kinds of rays of the walk and the signs of the tree") {
   const Legend rows = legend(classic_state());
-  REQUIRE(rows.rays.size() == ray_kind_count - 1);  // photons are only where they are walked
+  REQUIRE(rows.rays.size() == ray_kind_count - 2);  // photons and beams are only where they are walked
   for (const LegendRow& row : rows.rays) CHECK_FALSE(row.meaning.empty());
   for (const Ending ending : {Ending::hit, Ending::missed, Ending::blocked, Ending::reached_light, Ending::depth,
                               Ending::threshold, Ending::facing_away})

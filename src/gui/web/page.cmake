@@ -7,6 +7,7 @@ set(page "${CMAKE_SOURCE_DIR}/src/gui/web")
 set(smallest accel/watched.cpp accel/accelerator_naive.cpp trace/kernel_naive.cpp trace/kernel_faulty.cpp
   trace/kernel_float.cpp trace/scene_kernel.cpp trace/photon_kernel.cpp trace/photon_lights.cpp trace/photon_map.cpp
   trace/radiosity_kernel.cpp trace/patch_cutter.cpp
+  trace/beam_kernel.cpp trace/unfolded_plan.cpp
   trace/clear_sky.cpp trace/bodies.cpp trace/world.cpp accel/structures.cpp accel/wide_tree.cpp accel/primitives.cpp)
 list(TRANSFORM smallest PREPEND "${CMAKE_SOURCE_DIR}/src/")
 set_source_files_properties(${smallest} PROPERTIES COMPILE_OPTIONS -Oz SKIP_PRECOMPILE_HEADERS ON)

@@ -68,9 +68,11 @@ constexpr DashPattern dots{{2, 4}, 2};
 // Okabe and Ito's yellow, reddish purple, orange and sky blue on dark; on white their bluish green instead of the
 // yellow, and the darker of each pair: a darker purple, vermillion and blue.
 constexpr RayStyle dark_primary{{240, 228, 66}, solid}, dark_shadow{{204, 121, 167}, short_dash},
-    dark_reflect{{230, 159, 0}, long_dash}, dark_refract{{86, 180, 233}, dash_dot}, dark_photon{{255, 231, 150}, dots};
+    dark_reflect{{230, 159, 0}, long_dash}, dark_refract{{86, 180, 233}, dash_dot}, dark_photon{{255, 231, 150}, dots},
+    dark_beam{{0, 186, 138}, solid};
 constexpr RayStyle light_primary{{0, 128, 92}, solid}, light_shadow{{150, 60, 120}, short_dash},
-    light_reflect{{213, 94, 0}, long_dash}, light_refract{{0, 114, 178}, dash_dot}, light_photon{{196, 116, 0}, dots};
+    light_reflect{{213, 94, 0}, long_dash}, light_refract{{0, 114, 178}, dash_dot}, light_photon{{196, 116, 0}, dots},
+    light_beam{{0, 128, 92}, solid};
 
 }  // namespace
 
@@ -97,6 +99,8 @@ const RayStyle& ray_style(Theme theme, RayKind kind) {
       return dark ? dark_refract : light_refract;
     case RayKind::photon:
       return dark ? dark_photon : light_photon;
+    case RayKind::beam:
+      return dark ? dark_beam : light_beam;
   }
   return dark_primary;
 }

@@ -12,7 +12,10 @@ Legend legend(const State& state) {
                            std::string(text(kind, state.appearance.language)), str(state, in_short),
                            str(state, meaning)});
   };
-  row(RayKind::primary, "ray.short_primary", "legend.primary");
+  if (state.walk.timeline->of_beams())
+    row(RayKind::beam, "ray.short_beam", "legend.beam");
+  else
+    row(RayKind::primary, "ray.short_primary", "legend.primary");
   row(RayKind::shadow, "ray.short_shadow", "legend.shadow");
   row(RayKind::reflect, "ray.short_reflect", "legend.reflect");
   row(RayKind::refract, "ray.short_refract", "legend.refract");

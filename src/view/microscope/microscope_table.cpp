@@ -65,6 +65,8 @@ std::string_view short_name(RayKind kind, Language language) {
       return text("ray.short_refract", language);
     case RayKind::photon:
       return text("ray.short_photon", language);
+    case RayKind::beam:
+      return text("ray.short_beam", language);
   }
   return {};
 }

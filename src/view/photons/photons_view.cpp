@@ -91,10 +91,7 @@ void PhotonRoom::draw_in_plan(Painter& painter) {
       draw_circle(painter, *found, found->other, painter.colours.ink);
       draw_circle(painter, *found, found->caustic, painter.colours.light);
     }
-  if (!timeline.is_flat()) return;
-  const double margin = 16 * painter.sizes.unit;
-  painter.note({{painter.viewport.width / 2, painter.viewport.height - margin}, {painter.viewport.width / 2, margin}},
-               std::string(text("plan.flat", painter.state.appearance.language)));
+  if (timeline.is_flat()) draw_flat_note(painter, "plan.flat");
 }
 
 }  // namespace raywalk

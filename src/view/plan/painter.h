@@ -6,6 +6,8 @@
 
 #include <array>
 #include <optional>
+#include <string>
+#include <string_view>
 
 namespace raywalk {
 
@@ -105,6 +107,13 @@ struct RaysShown {
 /// Absent: the ray is not drawn.
 [[nodiscard]] std::optional<Prominence> prominence_of(const State& state, const RaysShown& shown, int ray);
 void draw_rays(Painter& painter, const RaysShown& shown);
+
+// beams_view.cpp
+/// Of a walk of beams: each as an area, or its parts once it is cut.
+void draw_beams(Painter& painter, const RaysShown& shown);
+
+/// That the walk runs in a flat world.
+void draw_flat_note(Painter& painter, std::string_view id);
 
 // ghosts_view.cpp
 void draw_ghosts(Painter& painter);

@@ -166,6 +166,7 @@ RaysShown rays_shown(const State& state) {
 std::optional<Prominence> prominence_of(const State& state, const RaysShown& shown, int index) {
   const RayRecord& ray = state.walk.timeline->rays()[static_cast<std::size_t>(index)];
   if (ray.pixel < shown.first_pixel || !state.legend.shows(ray.kind)) return std::nullopt;
+  if (ray.beam >= 0) return std::nullopt;  // an area (beams_view.cpp)
   if (index == shown.current) return Prominence::current;
   if (ray.pixel == shown.pixel) return Prominence::of_pixel;
   // A light that cannot reach the surface is not a limit: its stub is shown only with its pixel.
@@ -182,6 +183,7 @@ std::optional<Prominence> prominence_of(const State& state, const RaysShown& sho
 }
 
 void draw_rays(Painter& painter, const RaysShown& shown) {
+  draw_beams(painter, shown);
   const State& state = painter.state;
   const Timeline& timeline = *state.walk.timeline;
   const auto count = static_cast<int>(timeline.rays_at(shown.position).size());
@@ -195,16 +197,22 @@ void draw_rays(Painter& painter, const RaysShown& shown) {
   draw_all([](Prominence prominence) { return prominence != Prominence::current; });
   for (int index = 0; index < count; ++index) {
     const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(index)];
-    if (ray.pixel == shown.pixel && ray.ending == Ending::hit && ray.formed && ray.found_at <= shown.position &&
-        state.legend.shows(ray.kind) && !growth_of(state, index))
+    if (ray.pixel == shown.pixel && ray.ending == Ending::hit && ray.formed && ray.beam < 0 &&
+        ray.found_at <= shown.position && state.legend.shows(ray.kind) && !growth_of(state, index))
       draw_normal(painter, ray);
   }
   draw_all([](Prominence prominence) { return prominence == Prominence::current; });
   // What is pointed at elsewhere is shown even where its kind is hidden.
   for (int index = 0; index < count; ++index) {
-    if (!is_lit(state, index)) continue;
+    if (!is_lit(state, index) || timeline.rays()[static_cast<std::size_t>(index)].beam >= 0) continue;
     draw_ray(painter, shown, index, {index == shown.current ? Prominence::current : Prominence::of_pixel, true});
   }
+}
+
+void draw_flat_note(Painter& painter, std::string_view id) {
+  const double margin = 16 * painter.sizes.unit;
+  painter.note({{painter.viewport.width / 2, painter.viewport.height - margin}, {painter.viewport.width / 2, margin}},
+               std::string(text(id, painter.state.appearance.language)));
 }
 
 }  // namespace raywalk

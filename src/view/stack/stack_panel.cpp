@@ -26,6 +26,7 @@ ReturnName returns(RayKind kind) {
     case RayKind::primary:
     case RayKind::shadow:
     case RayKind::photon:
+    case RayKind::beam:
       return {"stack.name_final", "stack.waits_final"};
     case RayKind::reflect:
       return {"stack.name_refl", "stack.waits_refl"};
@@ -38,7 +39,7 @@ ReturnName returns(RayKind kind) {
 std::string ray_text(const State& state, const RayRecord& ray) {
   const Timeline& timeline = *state.walk.timeline;
   if (ray.parent < 0)
-    return fill("stack.primary_ray", state.appearance.language,
+    return fill(ray.beam < 0 ? "stack.primary_ray" : "stack.beam", state.appearance.language,
                 {{"pixel", timeline.pixels()[static_cast<std::size_t>(ray.pixel)].column}});
   const int from = ray_of(timeline, ray.parent).object;
   const std::string name = from < 0 ? std::string() : object_name(state, from);
@@ -95,7 +96,8 @@ StackPanel stack_panel(const State& state) {
     StackRow row;
     row.title = timeline.of_paths()
                     ? fill("stack.path", state.appearance.language, {{"ray", ran == nullptr ? 1 : ran->depth}})
-                    : fill("stack.shade", state.appearance.language, {{"depth", frame.depth}});
+                    : fill(timeline.of_beams() ? "stack.shade_parts" : "stack.shade", state.appearance.language,
+                           {{"depth", frame.depth}});
     row.ray = ray_text(state, ray);
     row.ray_index = ray_index;
     if (ray.object >= 0) row.object = object_name(state, ray.object);

@@ -42,6 +42,8 @@ std::string_view ray_id(RayKind kind) {
       return "structure.ray_refract";
     case RayKind::photon:
       return "structure.ray_photon";
+    case RayKind::beam:
+      break;  // nothing is searched for a beam
   }
   return "structure.ray_primary";
 }

@@ -17,7 +17,18 @@ std::string name_of(const State& state, const RayRecord& ray) {
   return {};
 }
 
+/// Of a beam: how many parts it has; of a part: what it sees, and how much of the pixel it is.
+std::string label_of_beam(const State& state, const RayRecord& ray) {
+  const Language language = state.appearance.language;
+  const BeamRecord& beam = state.walk.timeline->beams()[static_cast<std::size_t>(ray.beam)];
+  if (beam.parts > 0) return fill("tree.parts", language, {{"count", beam.parts}});
+  const std::string sees = ray.object >= 0 ? object_name(state, ray.object) : std::string(text(ray.ending, language));
+  const bool told = beam.begun_at <= state.walk.position;
+  return told ? sees + ", " + number_text(beam.coverage, language) : sees;
+}
+
 std::string label_of(const State& state, const RayRecord& ray) {
+  if (ray.beam >= 0) return label_of_beam(state, ray);
   std::string name = name_of(state, ray);
   switch (ray.ending) {
     case Ending::hit:
@@ -110,6 +121,12 @@ TreePanel tree_panel(const State& state) {
       node.returned = frame.returned_at > frame.called_at && frame.returned_at <= state.walk.position;
       if (node.returned) node.shade = display_colour(frame.returned, state.scene().encoding);
     }
+    if (ray.beam >= 0)
+      if (const BeamRecord& part = timeline.beams()[static_cast<std::size_t>(ray.beam)];
+          part.parts == 0 && ray.found_at <= state.walk.position && part.added_at <= state.walk.position) {
+        node.returned = true;
+        node.shade = display_colour(part.shade, state.scene().encoding);
+      }
     panel.nodes.push_back(std::move(node));
   }
   lay_out(panel);

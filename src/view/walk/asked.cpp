@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <variant>
@@ -26,6 +27,10 @@ std::optional<PredictionAsked> answered_after(const Timeline& timeline, int posi
   if (position >= timeline.steps()) return std::nullopt;
   const auto after = timeline.rays_at(position + 1);
   const int ray = timeline.current_ray(position);
+  // A beam goes many ways, and meets many things.
+  if (timeline.of_beams() &&
+      timeline.rays()[static_cast<std::size_t>(std::max(timeline.current_ray(position + 1), 0))].beam >= 0)
+    return std::nullopt;
   if (after.size() > timeline.rays_at(position).size()) {
     // A primary ray goes through its pixel: nothing to predict.
     const RayRecord& formed = after.back();

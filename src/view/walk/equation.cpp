@@ -21,8 +21,6 @@ struct Word {
   std::string_view id;
 };
 
-double degrees(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi; }
-
 double angle_between(const Vec3d& u, const Vec3d& v) {
   const double sizes = length(u) * length(v);
   return sizes > 0 ? degrees(dot(u, v) / sizes) : 0;
@@ -138,6 +136,8 @@ class EquationWriter {
       case RayKind::photon:
         line("P", formed.origin, "D", formed.direction);
         return light(Kind::numbers, formed.throughput, "Φ = ");
+      case RayKind::beam:
+        return;
     }
   }
 
@@ -268,7 +268,8 @@ class EquationWriter {
     row(Kind::numbers, "DEPTH = ", static_cast<double>(called.depth));
   }
 
-  void write(const ShadeComputed& sum) {
+  /// What the surface and the lights bring.
+  void terms(const auto& sum) {
     light(Kind::term, sum.ambient, Word{"equation.ambient"});
     if (sum.emission != Rgbd(0.0)) light(Kind::term, sum.emission, "+ ", Word{"equation.emission"});
     for (const LightTerm& term : sum.lights) {
@@ -276,6 +277,9 @@ class EquationWriter {
       if (term.specular != Rgbd(0.0))
         light(Kind::term, term.specular, "+ ", light_name(term.light), ", ", Word{"equation.highlight"});
     }
+  }
+  void write(const ShadeComputed& sum) {
+    terms(sum);
     if (sum.reflect != Rgbd(0.0)) light(Kind::term, sum.reflect, "+ kr′ · REFLSHADE");
     if (sum.refract != Rgbd(0.0)) light(Kind::term, sum.refract, "+ kt′ · REFRSHADE");
     if (sum.transmittance != Rgbd(1.0)) light(Kind::note, sum.transmittance, Word{"equation.passed"});
@@ -386,6 +390,38 @@ class EquationWriter {
     light(Kind::total, looked.shade, "=");
   }
 
+  // ---- Beam tracing
+
+  void write(const BeamFormed& formed) {
+    row(Kind::formula, "D(x) = D₀ + x (D₁ − D₀)");
+    row(Kind::numbers, text("object.eye", state_.appearance.language), formed.parent < 0 ? " = " : "′ = ", formed.apex);
+    places(formed.begin, formed.end);
+  }
+  void places(double begin, double end) { row(Kind::numbers, begin, " ≤ x ≤ ", end); }
+  void write(const BeamCut& cut) {
+    for (const BeamPiece& piece : cut.pieces)
+      row(Kind::note, piece.object < 0 ? std::string(text("equation.background", state_.appearance.language))
+                                       : object_name(state_, piece.object));
+  }
+  void write(const PartBegun& begun) {
+    const BeamRecord& part = timeline_.beams()[static_cast<std::size_t>(current().beam)];
+    places(part.begin, part.end);
+    row(Kind::formula, Word{"equation.coverage"}, " = x₁ − x₀");
+    row(Kind::total, Word{"equation.coverage"}, " = ", begun.coverage);
+  }
+  void write(const PartShaded& sum) {
+    terms(sum);
+    light(Kind::total, sum.total, "=");
+  }
+  void write(const PartAdded& added) {
+    light(Kind::term, added.local, Word{"equation.in_the_middle"});
+    if (added.reflect != Rgbd(0.0)) light(Kind::term, added.reflect, "+ kr′ · REFLSHADE");
+    if (added.refract != Rgbd(0.0)) light(Kind::term, added.refract, "+ kt′ · REFRSHADE");
+    light(Kind::term, added.shade, "=");
+    row(Kind::numbers, Word{"equation.of_beam"}, " = ", added.share);
+    light(Kind::total, added.mean, added.last ? "RTNSHADE =" : "m =");
+  }
+
   const State& state_;
   const Timeline& timeline_;
   const Event* event_ = nullptr;
@@ -398,44 +434,8 @@ std::string equation_number(double value, Language language) {
   return value == 0 ? "0" : typeset_number(fmt::format("{:.4g}", value), language);
 }
 
+double degrees(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi; }
+
 EquationPanel equation_panel(const State& state) { return EquationWriter(state).panel(); }
-
-HitNotes hit_notes(const State& state) {
-  const Timeline& timeline = *state.walk.timeline;
-  const int index = timeline.current_ray(state.walk.position);
-  if (index < 0) return {};
-  const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(index)];
-  if (!ray.formed || ray.found_at > state.walk.position || ray.object < 0) return {};
-  const auto& found = std::get<Found>(timeline.event(ray.found_at - 1).detail);
-  HitNotes notes{"t = " + equation_number(found.t, state.appearance.language), {}};
-  if (ray.ending != Ending::hit) return notes;
-  const double cosine = std::abs(dot(ray.normal, ray.direction)) / std::max(length(ray.direction), 1e-300);
-  notes.angle = "θ = " + typeset_number(fmt::format("{:.1f}", degrees(cosine)), state.appearance.language) + "°";
-  return notes;
-}
-
-std::optional<BendNotes> bend_notes(const State& state) {
-  const Timeline& timeline = *state.walk.timeline;
-  if (state.walk.position == 0) return std::nullopt;
-  const auto* formed = std::get_if<RayFormed>(&timeline.event(state.walk.position - 1).detail);
-  if (formed == nullptr) return std::nullopt;
-  if (formed->kind != RayKind::reflect && formed->kind != RayKind::refract) return std::nullopt;
-  const int parent = timeline.rays()[static_cast<std::size_t>(timeline.current_ray(state.walk.position))].parent;
-  if (parent < 0) return std::nullopt;
-  const RayRecord& in = timeline.rays()[static_cast<std::size_t>(parent)];
-  if (in.ending != Ending::hit || !(length(in.direction) > 0) || !(length(in.normal) > 0)) return std::nullopt;
-  BendNotes notes;
-  notes.at = in.end;
-  notes.back = -normalize(in.direction);
-  notes.normal = dot(in.normal, notes.back) < 0 ? -in.normal : in.normal;
-  notes.out = formed->direction;
-  const double side = formed->kind == RayKind::refract ? -1 : 1;
-  const auto angle = [&](const char* name, double cosine) {
-    return name + typeset_number(fmt::format("{:.1f}", degrees(cosine)), state.appearance.language) + "°";
-  };
-  notes.angle_in = angle("θ₁ = ", formed->snell ? formed->snell->cos_in : dot(notes.normal, notes.back));
-  notes.angle_out = angle("θ₂ = ", formed->snell ? formed->snell->cos_out : side * dot(notes.normal, notes.out));
-  return notes;
-}
 
 }  // namespace raywalk

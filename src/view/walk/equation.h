@@ -34,6 +34,9 @@ struct EquationPanel {
 /// A number in the format of the panel: four significant digits.
 [[nodiscard]] std::string equation_number(double value, Language language);
 
+/// Of the angle that has this cosine, which rounding may have put beyond 1.
+[[nodiscard]] double degrees(double cosine);
+
 /// The notes beside the hit of the current ray: its t, its angle to the normal. Empty before the hit is known.
 struct HitNotes {
   std::string t;      ///< "t = 4.213"

@@ -13,18 +13,24 @@ bool concerns(Line line, RayKind kind) {
     case RayKind::shadow:
       return line == Line::form_shadow_ray || line == Line::find_intersection || line == Line::path_form_shadow_ray ||
              line == Line::path_find_intersection || line == Line::gather_form_shadow_ray ||
-             line == Line::gather_find_intersection;
+             line == Line::gather_find_intersection || line == Line::beam_form_shadow_ray ||
+             line == Line::beam_find_intersection;
     case RayKind::reflect:
       return line == Line::form_reflect_ray || line == Line::find_reflect_intersect || line == Line::shade_reflect ||
              line == Line::form_next_ray || line == Line::path_find_closest_intersection ||
-             line == Line::gather_form_next_ray || line == Line::gather_find_closest_intersection;
+             line == Line::gather_form_next_ray || line == Line::gather_find_closest_intersection ||
+             line == Line::form_middle_ray || line == Line::follow_middle_ray;
     case RayKind::refract:
       return line == Line::form_refract_ray || line == Line::find_refract_intersect || line == Line::shade_refract ||
              line == Line::form_next_ray || line == Line::path_find_closest_intersection ||
-             line == Line::gather_form_next_ray || line == Line::gather_find_closest_intersection;
+             line == Line::gather_form_next_ray || line == Line::gather_find_closest_intersection ||
+             line == Line::form_middle_ray || line == Line::follow_middle_ray;
     case RayKind::photon:
       return line == Line::emit_photon || line == Line::photon_find_closest_intersection ||
              line == Line::follow_photon || line == Line::photon_form_next_ray;
+    case RayKind::beam:
+      return line == Line::form_beam || line == Line::cut_beam || line == Line::shade_parts ||
+             line == Line::form_mirrored_beam || line == Line::cut_mirrored_beam || line == Line::shade_mirrored_parts;
   }
   return false;
 }

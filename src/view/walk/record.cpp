@@ -1,5 +1,6 @@
 #include "render/world_cache.h"
 #include "timeline/recorder.h"
+#include "trace/outlines.h"
 #include "view/action.h"
 #include "view/document/document.h"
 #include "view/text/text.h"
@@ -119,8 +120,13 @@ void record_again(State& state) {
   Recorded recorded = record_within(state);
   if (recorded.depth < walked_scene(state)->limits.depth)
     inform(state, fill("notice.too_many_steps", state.appearance.language, {{"depth", recorded.depth}}));
-  if (recorded.samples < state.picture.settings.walk_samples)
+  if (recorded.samples < state.picture.settings.walk_samples && !recorded.timeline.of_beams())
     inform(state, fill("notice.too_many_samples", state.appearance.language, {{"samples", recorded.samples}}));
+  RenderChoices wished = state.scene().render;
+  choose(state, wished);
+  if (traits_of(wished.integrator).is_flat && !state.walk.pixel && !recorded.timeline.of_beams())
+    inform(state,
+           fill("notice.no_beams", state.appearance.language, {{"object", object_against_beams(state.scene())}}));
   if (state.walk.bug) state.walk.bug->other = record_other(state, recorded.depth, recorded.samples);
   const auto after = std::make_shared<const Timeline>(std::move(recorded.timeline));
   state.walk.position = same_place(*state.walk.timeline, state.walk.position, *after);

@@ -25,6 +25,13 @@ std::string ray_text(const State& state, int index) {
   const Timeline& timeline = *state.walk.timeline;
   const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(index)];
   std::string what;
+  if (timeline.part_of(index) == index) {
+    const BeamRecord& part = timeline.beams()[static_cast<std::size_t>(ray.beam)];
+    const std::string sees = ray.object < 0 ? str(state, ray.ending) : object_name(state, ray.object);
+    if (part.begun_at > state.walk.position) return fill("pointed.part", state.appearance.language, {{"object", sees}});
+    return fill("pointed.part_covers", state.appearance.language,
+                {{"object", sees}, {"coverage", number_text(part.coverage, state.appearance.language)}});
+  }
   if (ray.parent < 0) {
     const int column = timeline.pixels()[static_cast<std::size_t>(ray.pixel)].column;
     what = timeline.of_strip()

@@ -1,0 +1,296 @@
+#pragma once
+// What the statements of trace/beams.h do, but for lights (trace/beam_light_steps.h). Included by it alone.
+
+#include "trace/beams.h"
+#include "trace/representable.h"
+#include "trace/shadow_transmittance.h"
+#include "trace/spawn_ray.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raywalk {
+
+namespace detail {
+
+[[nodiscard]] inline Vec3d in_space(const Vec2d& at) { return {at.x, at.y, 0}; }
+/// Farther from the eye than everything that has an end.
+[[nodiscard]] double far_from(const Vec2d& eye, const std::vector<Outline>& outlines);
+/// The first primitive of each outline's object.
+[[nodiscard]] std::vector<int> primitives_of(const World<double>& world, const std::vector<Outline>& outlines);
+
+}  // namespace detail
+
+template <class Watcher>
+BeamTracer<Watcher>::BeamTracer(const World<double>& world, const std::vector<Outline>& outlines,
+                                const RayGenerator<double>& camera, Observer& observer, const Stop& stop)
+    : world_(world),
+      outlines_(outlines),
+      camera_(camera),
+      observer_(observer),
+      stop_(stop),
+      plan_(std::make_shared<const UnfoldedPlan>(outlines, plan(camera.eye()))),
+      primitives_(detail::primitives_of(world, outlines)),
+      far_(detail::far_from(plan(camera.eye()), outlines)),
+      nested_(world),
+      tracer_(world, camera, no_observer_, stop) {}
+
+template <class Watcher>
+void BeamTracer<Watcher>::begin(const Pixel& pixel) {
+  stop_.check();
+  note(Line::beam_for_each_pixel, 0, [&] { return PixelBegun{pixel.column, pixel.row, pixel.sample}; });
+}
+
+template <class Watcher>
+auto BeamTracer<Watcher>::form_beam(const Pixel& pixel) -> Beam {
+  const PixelFan fan{plan(camera_.edge(pixel.column, pixel.row)), plan(camera_.edge(pixel.column + 1, pixel.row))};
+  Beam beam{plan_, fan, {0, 0}, {1, 0}, Rgbd(1.0), rays_formed_++};
+  if (nested_.any_around_eye()) {
+    const Ray<double> middle{camera_.eye(), normalize(detail::in_space(fan.at({0.5, 0}))), {}, camera_.shutter_open()};
+    beam.medium = nested_.at_eye(middle, statistics_.tests);
+  }
+  note(Line::form_beam, 0, [&] {
+    return BeamFormed{beam.number, -1, camera_.eye(), 0, 1, area_of(beam, {beam.begin, beam.end}), beam.throughput};
+  });
+  return beam;
+}
+
+template <class Watcher>
+auto BeamTracer<Watcher>::cut(Line line, int depth, const Beam& beam) -> std::vector<Part> {
+  stop_.check();
+  std::vector<BeamPart> pieces;
+  for (const BeamPart& whole : beam.plan->cut(beam.fan, beam.begin, beam.end)) divide_by_shadows(pieces, beam, whole);
+  std::vector<Part> parts;
+  for (const BeamPart& piece : pieces) {
+    Part part;
+    static_cast<BeamPart&>(part) = piece;
+    part.number = rays_formed_++;
+    meet(part, beam);
+    ++statistics_.formed(RayKind::beam);
+    ++statistics_.ends(part.at ? Ending::hit : Ending::missed);
+    parts.push_back(std::move(part));
+  }
+  note(line, depth, [&] {
+    BeamCut cut{beam.number, {}};
+    for (const Part& part : parts) {
+      BeamPiece piece{part.number,  part.object,         part.begin.value(), part.end.value(),
+                      part.width(), area_of(beam, part), part.ray.origin,    part.ray.origin + part.ray.direction,
+                      Vec3d(0.0)};
+      if (part.at) piece.point = part.at->position, piece.normal = part.at->outward_normal;
+      cut.pieces.push_back(std::move(piece));
+    }
+    return cut;
+  });
+  return parts;
+}
+
+/// The ray in the middle of a part, and what it meets: what all of the part sees.
+template <class Watcher>
+void BeamTracer<Watcher>::meet(Part& part, const Beam& beam) {
+  const Vec2d direction = beam.fan.at(part.middle());
+  part.ray = {detail::in_space(beam.plan->start(direction)), normalize(detail::in_space(beam.plan->leaving(direction))),
+              beam.departure, camera_.shutter_open()};
+  if (part.outline < 0) return;
+  const auto index = static_cast<std::size_t>(part.outline);
+  part.object = outlines_[index].object;
+  const Vec3d end = detail::in_space(beam.plan->end(beam.fan, part, part.middle()));
+  const Hit<double> hit{length(end - part.ray.origin), primitives_[index], outlines_[index].part};
+  struct Followed {
+    Ray<double> ray;
+    int number, length;
+    Rgbd throughput;
+    const Medium* medium;
+  };
+  const Followed followed{part.ray, part.number, 1, Rgbd(1.0), beam.medium};
+  part.at = prepare_vertex<AllEffects>(world_, nested_, followed, hit, statistics_);
+  const auto& surface = *part.at->surface;
+  part.ambient = surface.ambient;
+  const Primitives<double>& primitives = world_.accelerator.primitives();
+  const SurfacePoint<double> point{part.at->position, part.at->outward_normal};
+  if (surface.checker || surface.texture) {
+    const Vec2d uv = primitives.uv_at(hit.primitive, point, hit.part, part.ray.time);
+    if (surface.checker)
+      part.ambient *= even_square(uv, surface.checker->size) ? surface.checker->even : surface.checker->odd;
+    if (surface.texture) part.ambient *= surface.texture->at(uv);
+  }
+}
+
+template <class Watcher>
+BeamArea BeamTracer<Watcher>::area_of(const Beam& beam, const BeamPart& part) const {
+  const bool curved = part.outline >= 0 && !outlines_[static_cast<std::size_t>(part.outline)].is_straight();
+  const int steps = curved ? 16 : 1;
+  BeamArea area;
+  for (int i = 0; i <= steps; ++i) {
+    // Towards its ends, where a circle is seen aslant, the steps are shorter.
+    const double share = static_cast<double>(i) / steps, place = share * share * (3 - 2 * share);
+    const Place at = i == 0       ? part.begin
+                     : i == steps ? part.end
+                                  : Place{part.begin.value() + place * (part.end - part.begin), 0};
+    const Vec2d direction = beam.fan.at(at);
+    const Vec3d start = detail::in_space(beam.plan->start(direction));
+    area.starts.push_back(start);
+    area.ends.push_back(part.outline >= 0 ? detail::in_space(beam.plan->end(beam.fan, part, at))
+                                          : start + far_ * normalize(detail::in_space(beam.plan->leaving(direction))));
+  }
+  return area;
+}
+
+template <class Watcher>
+int BeamTracer<Watcher>::call_shade_parts(Line line, int depth, const Beam& beam) {
+  note(line, depth, [&] { return ShadeCalled{beam.number, false, depth + 1}; });
+  return depth + 1;
+}
+
+template <class Watcher>
+void BeamTracer<Watcher>::begin(int depth, const std::vector<Part>& parts, const Part& part) {
+  note(Line::for_each_part, depth, [&] {
+    return PartBegun{part.number, static_cast<int>(&part - parts.data()), static_cast<int>(parts.size()), part.width(),
+                     !part.at};
+  });
+}
+
+template <class Watcher>
+Rgbd BeamTracer<Watcher>::shade_middle(int depth, const Part& part, const DirectLighting& direct) {
+  PartShaded shaded{part.number, Rgbd(0.0), Rgbd(0.0), direct.terms, background_along(part.ray.direction)};
+  if (part.at) {
+    shaded.ambient = part.ambient * world_.ambient;
+    shaded.emission = part.at->surface->emission;
+    shaded.total = shaded.ambient + shaded.emission + direct.sum;
+  }
+  const Rgbd total = shaded.total;
+  note(Line::shade_middle, depth, [&] { return std::move(shaded); });
+  return total;
+}
+
+template <class Watcher>
+bool BeamTracer<Watcher>::is_straight(const Part& part) const {
+  return outlines_[static_cast<std::size_t>(part.outline)].is_straight();
+}
+
+template <class Watcher>
+bool BeamTracer<Watcher>::decide_straight_mirror(int depth, const Part& part) {
+  const bool holds = part.at && is_straight(part) && !is_black(part.at->bsdf.mirror);
+  note(Line::if_straight_mirror, depth, [&] { return Decided{holds, part.at ? part.at->bsdf.mirror : Rgbd(0.0)}; });
+  return holds;
+}
+
+template <class Watcher>
+std::optional<Ending> BeamTracer<Watcher>::why_not_followed(int depth, const Rgbd& throughput) {
+  if (depth + 1 > world_.depth) return Ending::depth;
+  if (max_component(throughput) < world_.threshold) return Ending::threshold;
+  return std::nullopt;
+}
+
+template <class Watcher>
+auto BeamTracer<Watcher>::form_mirrored_beam(int depth, const Part& part, const Beam& beam) -> std::optional<Beam> {
+  const SurfaceVertex<double>& at = *part.at;
+  const Rgbd throughput = beam.throughput * at.throughput * at.bsdf.mirror * (part.width() / (beam.end - beam.begin));
+  if (const auto why = why_not_followed(depth, throughput)) {
+    ++statistics_.ends(*why);
+    note(Line::form_mirrored_beam, depth,
+         [&] { return RayNotFormed{part.number, RayKind::beam, *why, at.position, at.bsdf.mirror_axis, throughput}; });
+    return std::nullopt;
+  }
+  Beam mirrored{std::make_shared<const UnfoldedPlan>(beam.plan->mirrored(part.outline)),
+                beam.fan,
+                part.begin,
+                part.end,
+                throughput,
+                rays_formed_++,
+                at.departure,
+                at.medium};
+  note(Line::form_mirrored_beam, depth, [&] {
+    return BeamFormed{mirrored.number,    part.number,      detail::in_space(mirrored.plan->virtual_eye()),
+                      part.begin.value(), part.end.value(), area_of(mirrored, {part.begin, part.end}),
+                      throughput};
+  });
+  return mirrored;
+}
+
+template <class Watcher>
+bool BeamTracer<Watcher>::sends(const Part& part, RayKind kind) const {
+  if (!part.at || is_black(weight_of(part, kind))) return false;
+  return kind == RayKind::refract || !is_straight(part);
+}
+
+template <class Watcher>
+const Rgbd& BeamTracer<Watcher>::weight_of(const Part& part, RayKind kind) {
+  return kind == RayKind::refract ? part.at->bsdf.transparent : part.at->bsdf.mirror;
+}
+
+template <class Watcher>
+bool BeamTracer<Watcher>::decide_curved_or_glass(int depth, const Part& part) {
+  const bool reflects = sends(part, RayKind::reflect), refracts = sends(part, RayKind::refract);
+  note(Line::if_curved_or_glass, depth, [&] {
+    Decided decided{reflects || refracts};
+    if (reflects) decided.weight += part.at->bsdf.mirror;
+    if (refracts) decided.weight += part.at->bsdf.transparent;
+    return decided;
+  });
+  return reflects || refracts;
+}
+
+template <class Watcher>
+auto BeamTracer<Watcher>::form_middle_ray(int depth, const Part& part, const Beam& beam, RayKind kind)
+    -> std::optional<MiddleRay> {
+  const SurfaceVertex<double>& at = *part.at;
+  const bool refracts = kind == RayKind::refract;
+  const Vec3d& direction = refracts ? at.bsdf.transparent_axis : at.bsdf.mirror_axis;
+  const Rgbd throughput =
+      beam.throughput * at.throughput * weight_of(part, kind) * (part.width() / (beam.end - beam.begin));
+  if (const auto why = why_not_followed(depth, throughput)) {
+    ++statistics_.ends(*why);
+    note(Line::form_middle_ray, depth,
+         [&] { return RayNotFormed{part.number, kind, *why, at.position, direction, throughput}; });
+    return std::nullopt;
+  }
+  const MiddleRay ray{
+      spawn_ray<Ray<double>>(world_, at.position, at.bsdf.geometric_normal, at.departure, direction, at.time), kind,
+      rays_formed_++, refracts ? at.behind : at.medium};
+  ++statistics_.formed(kind);
+  note(Line::form_middle_ray, depth, [&] {
+    RayFormed formed{ray.number, part.number, kind, ray.ray.origin, direction, throughput};
+    if (refracts) formed.snell = snell_numbers(at.refraction);
+    return formed;
+  });
+  return ray;
+}
+
+template <class Watcher>
+Rgbd BeamTracer<Watcher>::follow_middle_ray(int depth, const MiddleRay& ray) {
+  note(Line::follow_middle_ray, depth, [&] {
+    const auto nearest = world_.accelerator.closest(ray.ray, infinity<double>, statistics_.tests);
+    return nearest ? detail::describe(ray.number, Ending::hit, world_, ray.ray, *nearest)
+                   : detail::describe_missed(ray.number, Ending::missed, world_, ray.ray);
+  });
+  return tracer_.radiance_along(ray.ray, depth + 1, ray.medium);
+}
+
+/// A running mean, as the film's: where all parts have one shade, it is that shade, whatever their widths.
+template <class Watcher>
+void BeamTracer<Watcher>::add_part(Rgbd& mean, int depth, const Beam& beam, const Part& part, const Rgbd& local,
+                                   const Rgbd& reflected, const Rgbd& refracted) {
+  const Rgbd left = part.at ? part.at->throughput : Rgbd(1.0);
+  const Rgbd shade = left * (local + reflected + refracted);
+  mean += (shade - mean) * (part.width() / (part.end - beam.begin));
+  note(Line::add_part, depth, [&] {
+    return PartAdded{
+        part.number,         local, reflected, refracted, shade, part.width() / (beam.end - beam.begin), mean,
+        part.end == beam.end};
+  });
+}
+
+template <class Watcher>
+template <class Put>
+void BeamTracer<Watcher>::put_in_pixel(const Pixel& pixel, const Rgbd& final, Put& put) {
+  if (!is_representable(final)) ++statistics_.not_finite;
+  put(pixel, final);
+  note(Line::beam_put_final_shade, 0, [&] { return PixelPut{pixel.column, pixel.row, pixel.sample, final}; });
+}
+
+template <class Watcher>
+Rgbd BeamTracer<Watcher>::background_along(const Vec3d& direction) const {
+  return world_.sky ? Rgbd(world_.sky->radiance(direction)) : world_.background;
+}
+
+}  // namespace raywalk

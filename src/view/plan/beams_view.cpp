@@ -1,0 +1,128 @@
+#include "view/plan/painter.h"
+#include "view/state.h"
+#include "view/text/text.h"
+#include "view/walk/lit.h"
+#include "view/walk/walk.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace raywalk {
+
+namespace {
+
+/// A part has the colour of what it sees; the one at work is strong, those of the pixels before are faint.
+class BeamPainter {
+ public:
+  BeamPainter(Painter& painter, const RaysShown& shown)
+      : painter_(painter),
+        state_(painter.state),
+        timeline_(*painter.state.walk.timeline),
+        shown_(shown),
+        style_(ray_style(painter.state.appearance.theme, RayKind::beam)),
+        part_(timeline_.part_of(timeline_.current_ray(shown_.position))) {}
+
+  void draw() {
+    const auto count = static_cast<int>(timeline_.rays_at(shown_.position).size());
+    for (int index = 0; index < count; ++index)
+      if (ray(index).beam >= 0 && is_seen(index)) draw_beam(index);
+    const int current = timeline_.current_ray(shown_.position);
+    const int mirrored = part_ >= 0 && current != part_ && ray(current).beam >= 0 ? current
+                         : part_ >= 0                                             ? ray(part_).parent
+                                                                                  : -1;
+    if (mirrored >= 0 && ray(mirrored).parent >= 0 && state_.legend.shows(RayKind::beam)) draw_backwards(mirrored);
+    if (part_ >= 0 && part_ < count && state_.legend.shows(RayKind::beam) && beam(part_).added_at > shown_.position)
+      note_coverage(part_);
+  }
+
+ private:
+  [[nodiscard]] const RayRecord& ray(int index) const { return timeline_.rays()[static_cast<std::size_t>(index)]; }
+  [[nodiscard]] const BeamRecord& beam(int index) const {
+    return timeline_.beams()[static_cast<std::size_t>(ray(index).beam)];
+  }
+  [[nodiscard]] bool is_whole(int index) const {
+    const int parent = ray(index).parent;
+    return parent < 0 || timeline_.part_of(parent) == parent;
+  }
+  /// A beam that has been cut is its parts.
+  [[nodiscard]] bool is_seen(int index) const {
+    if (is_lit(state_, index)) return true;
+    if (!state_.legend.shows(RayKind::beam) || ray(index).pixel < shown_.first_pixel) return false;
+    if (ray(index).pixel != shown_.pixel && shown_.others == Earlier::hidden) return false;
+    return !is_whole(index) || ray(index).found_at > shown_.position;
+  }
+
+  void draw_beam(int index) {
+    const BeamArea& area = beam(index).area;
+    std::vector<Vec2d> corners;
+    for (const Vec3d& start : area.starts) add(corners, start);
+    for (std::size_t i = area.ends.size(); i-- > 0;) add(corners, area.ends[i]);
+    if (corners.size() < 3) return;
+    const bool whole = is_whole(index), of_pixel = ray(index).pixel == shown_.pixel, lit = is_lit(state_, index);
+    const bool at_work = index == part_ && beam(index).added_at > shown_.position;
+    Colour fill = whole ? style_.colour : colour_of(index);
+    fill.a = static_cast<std::uint8_t>(whole ? 46 : lit ? 190 : at_work ? 150 : of_pixel ? 84 : faint());
+    const Target target = shown_.pointed_at ? Target{TargetKind::ray, index} : Target{};
+    painter_.add(PolygonItem{corners, fill, std::nullopt}, target);
+    // Its two sides: what is cut off between them and the next part's is nothing.
+    Stroke stroke = painter_.stroke(style_.colour, lit || at_work ? 2.2 : 1.1);
+    stroke.colour.a = static_cast<std::uint8_t>(lit || at_work ? 255 : of_pixel ? 150 : 50);
+    for (const std::size_t side : {std::size_t{0}, area.starts.size() - 1})
+      painter_.add_clipped({painter_.pixels(plan(area.starts[side])), painter_.pixels(plan(area.ends[side])), stroke});
+  }
+  void add(std::vector<Vec2d>& corners, const Vec3d& point) const {
+    const Vec2d at = painter_.pixels(plan(point));
+    if (corners.empty() || length(corners.back() - at) > 0) corners.push_back(at);
+  }
+  [[nodiscard]] int faint() const {
+    return shown_.others == Earlier::faded && shown_.pixel - shown_.first_pixel > few_pixels ? 18 : 34;
+  }
+  /// Of what a part sees.
+  [[nodiscard]] Colour colour_of(int index) const {
+    const int object = ray(index).object;
+    if (object < 0) return painter_.colours.dim_text;
+    const Scene& scene = painter_.scene();
+    return body_colour(scene, scene.objects[static_cast<std::size_t>(object)].material);
+  }
+
+  /// From where the rays of a mirrored beam seem to come.
+  void draw_backwards(int index) {
+    const BeamArea& area = beam(index).area;
+    const Vec2d first = plan(area.starts.front()), last = plan(area.starts.back());
+    const Vec2d back = first - plan(area.ends.front()), other = last - plan(area.ends.back());
+    const double across = cross(back, other);
+    if (!(std::abs(across) > 1e-9 * length(back) * length(other))) return;
+    const Vec2d apex = painter_.pixels(first + cross(last - first, other) / across * back);
+    const Stroke dashed{style_.colour.with_alpha(170), painter_.sizes.unit, painter_.scaled({{3, 5}, 2})};
+    painter_.add_clipped({painter_.pixels(first), apex, dashed});
+    painter_.add_clipped({painter_.pixels(last), apex, dashed});
+    painter_.add(CircleItem{apex, 5 * painter_.sizes.unit, std::nullopt, painter_.stroke(style_.colour, 1.6)});
+  }
+
+  void note_coverage(int index) {
+    const BeamArea& area = beam(index).area;
+    const auto middle = [](const std::vector<Vec3d>& points) { return (points.front() + points.back()) / 2.0; };
+    const Vec2d from = painter_.pixels(plan(middle(area.starts))), to = painter_.pixels(plan(middle(area.ends)));
+    const Vec2d along = to - from, across = length(along) > 0 ? Vec2d(-along.y, along.x) / length(along) : Vec2d(0, -1);
+    painter_.note_beside(painter_.seen_middle(from, to), across.y > 0 ? -across : across,
+                         number_text(beam(index).coverage, state_.appearance.language));
+  }
+
+  Painter& painter_;
+  const State& state_;
+  const Timeline& timeline_;
+  RaysShown shown_;
+  RayStyle style_;
+  int part_;  ///< at work
+};
+
+}  // namespace
+
+void draw_beams(Painter& painter, const RaysShown& shown) {
+  if (!painter.state.walk.timeline->of_beams()) return;
+  BeamPainter(painter, shown).draw();
+  if (painter.state.walk.mode == Mode::trace) draw_flat_note(painter, "plan.flat_beams");
+}
+
+}  // namespace raywalk

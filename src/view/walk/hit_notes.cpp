@@ -1,0 +1,50 @@
+#include "view/text/text.h"
+#include "view/walk/equation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace raywalk {
+
+HitNotes hit_notes(const State& state) {
+  const Timeline& timeline = *state.walk.timeline;
+  const int index = timeline.current_ray(state.walk.position);
+  if (index < 0) return {};
+  const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(index)];
+  if (!ray.formed || ray.found_at > state.walk.position || ray.object < 0) return {};
+  const auto* found = std::get_if<Found>(&timeline.event(ray.found_at - 1).detail);
+  if (found == nullptr) return {};  // of a beam
+  HitNotes notes{"t = " + equation_number(found->t, state.appearance.language), {}};
+  if (ray.ending != Ending::hit) return notes;
+  const double cosine = std::abs(dot(ray.normal, ray.direction)) / std::max(length(ray.direction), 1e-300);
+  notes.angle = "θ = " + typeset_number(fmt::format("{:.1f}", degrees(cosine)), state.appearance.language) + "°";
+  return notes;
+}
+
+std::optional<BendNotes> bend_notes(const State& state) {
+  const Timeline& timeline = *state.walk.timeline;
+  if (state.walk.position == 0) return std::nullopt;
+  const auto* formed = std::get_if<RayFormed>(&timeline.event(state.walk.position - 1).detail);
+  if (formed == nullptr) return std::nullopt;
+  if (formed->kind != RayKind::reflect && formed->kind != RayKind::refract) return std::nullopt;
+  const int parent = timeline.rays()[static_cast<std::size_t>(timeline.current_ray(state.walk.position))].parent;
+  if (parent < 0) return std::nullopt;
+  const RayRecord& in = timeline.rays()[static_cast<std::size_t>(parent)];
+  if (in.ending != Ending::hit || !(length(in.direction) > 0) || !(length(in.normal) > 0)) return std::nullopt;
+  BendNotes notes;
+  notes.at = in.end;
+  notes.back = -normalize(in.direction);
+  notes.normal = dot(in.normal, notes.back) < 0 ? -in.normal : in.normal;
+  notes.out = formed->direction;
+  const double side = formed->kind == RayKind::refract ? -1 : 1;
+  const auto angle = [&](const char* name, double cosine) {
+    return name + typeset_number(fmt::format("{:.1f}", degrees(cosine)), state.appearance.language) + "°";
+  };
+  notes.angle_in = angle("θ₁ = ", formed->snell ? formed->snell->cos_in : dot(notes.normal, notes.back));
+  notes.angle_out = angle("θ₂ = ", formed->snell ? formed->snell->cos_out : side * dot(notes.normal, notes.out));
+  return notes;
+}
+
+}  // namespace raywalk

@@ -1,0 +1,226 @@
+// The walk through BEAM TRACING: what the timeline and the messages make of its events, and the strip that it fills.
+
+#include "math/random.h"
+#include "timeline/message.h"
+#include "timeline/recorder.h"
+#include "trace/beam_kernel.h"
+#include "trace/kernel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "messages.h"
+#include "support/catch.h"
+
+using namespace raywalk;
+
+namespace {
+
+/// Walls of one shade each: what they are is what they give off.
+Material shining(const Rgbd& colour) {
+  Material material;
+  material.diffuse = Rgbd(0.0);
+  material.emission = colour;
+  return material;
+}
+
+Scene flat_scene() {
+  Scene scene;
+  scene.background = {0.1, 0.2, 0.3};
+  scene.camera.eye = {-6, 0, 0};
+  scene.camera.look_at = {0, 0, 0};
+  scene.camera.screen = {2, 4.2, 16};
+  scene.render.integrator = Integrator::beams;
+  return scene;
+}
+
+/// A mirror, round and straight things, of one shade each.
+Scene shades() {
+  Scene scene = flat_scene();
+  Material mirror = shining(Rgbd(0.05));
+  mirror.reflection = {0.9, 0.8, 0.7};
+  scene.objects = {{"Red", Prism<double>{{{-2, -0.3}, {-0.5, -1.2}, {-2, -1.7}}, 1}, shining({1, 0, 0})},
+                   {"Green", Sphere<double>{{-1.3, 1.1, 0}, 0.8}, shining({0, 1, 0})},
+                   {"Blue", Box<double>{{0, 0.4, -1}, {3, 3, 1}}, shining({0, 0, 1})},
+                   {"White", Sphere<double>{{2.5, -0.8, 0}, 0.9}, shining(Rgbd(1.0))},
+                   {"Mirror", Prism<double>{{{-3, -3}, {2, -2.6}, {2, -3.4}}, 1}, mirror}};
+  return scene;
+}
+
+/// Straight things in the light of a sun, so that each is as bright as another of its side, or in shadow.
+Scene sunlit() {
+  Scene scene = shades();
+  Material matt;
+  matt.diffuse = {0.2, 0.7, 0.3};
+  matt.ambient = Rgbd(0.1);
+  scene.objects[0].material = scene.objects[2].material = matt;
+  scene.objects.push_back({"Back", Box<double>{{4, -9, -1}, {5, 9, 1}}, matt});
+  scene.lights = {{"Sun", Rgbd(0.8), DirectionalLight{{-1, 0.7, 0}}}};
+  return scene;
+}
+
+/// With lights, glass and round mirrors as well.
+Scene lit() {
+  Scene scene = shades();
+  Material matt, chrome, glass;
+  matt.diffuse = {0.2, 0.7, 0.3};
+  matt.specular = Rgbd(0.4);
+  chrome.diffuse = glass.diffuse = Rgbd(0.05);
+  chrome.reflection = Rgbd(0.8);
+  glass.transmission = Rgbd(0.9);
+  glass.dielectric = true;
+  scene.objects[1].material = matt;
+  scene.objects[2].material = glass;
+  scene.objects[3].material = chrome;
+  scene.objects.push_back({"Floor", Plane<double>{{0, 0, -1}, {0, 0, 1}}, matt});
+  scene.lights = {{"Lamp", Rgbd(0.9), PointLight{{-3, 4, 0}}}, {"Sun", Rgbd(0.2), DirectionalLight{{-1, -0.4, 0}}}};
+  return scene;
+}
+
+std::vector<Rgbd> strip_of(const Scene& scene) {
+  const Timeline timeline = record_strip(scene);
+  std::vector<Rgbd> strip;
+  for (const PixelRecord& pixel : timeline.pixels()) strip.push_back(pixel.shade);
+  return strip;
+}
+
+double unit(int index, std::uint32_t dimension) {
+  RandomKey key;
+  key.seed = 18;
+  key.sample = static_cast<std::uint32_t>(index);
+  key.dimension = dimension;
+  return random_unit<double>(key);
+}
+
+}  // namespace
+
+TEST_CASE("a walk of beams: each is cut into parts, whose coverages are those of its pixel") {
+  const Scene scene = lit();
+  const Timeline timeline = record_strip(scene);
+  REQUIRE(timeline.of_beams());
+  CHECK(timeline.is_flat());
+  CHECK_FALSE(timeline.of_paths());
+  CHECK(timeline.pixels().size() == 16);
+  for (std::size_t pixel = 0; pixel < timeline.pixels().size(); ++pixel) {
+    const auto [first, last] = timeline.rays_of_pixel(static_cast<int>(pixel));
+    double sum = 0;
+    for (int i = first; i < last; ++i) {
+      const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(i)];
+      if (ray.parent == first) sum += timeline.beams()[static_cast<std::size_t>(ray.beam)].coverage;
+      if (ray.kind == RayKind::beam && ray.parent >= 0 && ray.formed) CHECK(ray.beam >= 0);
+      if (ray.kind == RayKind::shadow || ray.kind == RayKind::refract) CHECK(timeline.part_of(i) == ray.parent);
+    }
+    CHECK(sum == Approx(1).epsilon(1e-14));
+    CHECK(timeline.stack(timeline.pixels()[pixel].done_at).empty());
+  }
+}
+
+TEST_CASE("watching beams changes nothing") {
+  for (const Scene& scene : {shades(), lit()}) {
+    const World<double> world(scene);
+    const std::vector<Outline> outlines = outlines_of(scene);
+    const RayGenerator<double> camera(scene, {16, 1}, scene.image);
+    const std::vector<Rgbd> watched = strip_of(scene);
+    int put = 0;
+    static_cast<void>(trace_beams(world, outlines, camera, {0, 16, 0, 1}, [&](const Pixel& pixel, const Rgbd& shade) {
+      CHECK(shade == watched[static_cast<std::size_t>(pixel.column)]);
+      ++put;
+    }));
+    CHECK(put == 16);
+  }
+}
+
+TEST_CASE("where parts have one shade each, beams are the mean of a million samples") {
+  const Scene scene = GENERATE(shades(), sunlit());
+  const std::vector<Rgbd> strip = strip_of(scene);
+  // Samples of the strip by the tracer itself: columns of a strip so fine that each is a sample of a pixel.
+  constexpr int pixels = 16, samples = 1 << 16, strata = samples * pixels;
+  Scene rays = scene;
+  rays.render.integrator = Integrator::whitted;
+  const World<double> world(rays);
+  const RayGenerator<double> camera(rays, {strata, 1}, rays.image);
+  std::vector<Rgbd> sums(pixels, Rgbd(0.0)), squares(pixels, Rgbd(0.0));
+  static_cast<void>(trace(world, camera, {0, strata, 0, 1}, [&](const Pixel& pixel, const Rgbd& shade) {
+    sums[static_cast<std::size_t>(pixel.column / samples)] += shade;
+    squares[static_cast<std::size_t>(pixel.column / samples)] += shade * shade;
+  }));
+  bool mixed = false;
+  for (std::size_t i = 0; i < pixels; ++i) {
+    const Rgbd mean = sums[i] / static_cast<double>(samples), off = strip[i] - mean;
+    // Each outline that crosses a pixel can put one sample of its row on the wrong side.
+    CAPTURE(i);
+    CHECK(std::max({std::abs(off.x), std::abs(off.y), std::abs(off.z)}) < 16.0 / samples);
+    const Rgbd spread = squares[i] / static_cast<double>(samples) - mean * mean;
+    mixed = mixed || spread.x + spread.y + spread.z > 0.01;
+  }
+  CHECK(mixed);
+}
+
+TEST_CASE("where light varies along a part, its middle stands for it: near the mean, and the same for equal shades") {
+  const std::vector<Rgbd> strip = strip_of(lit());
+  for (const Rgbd& shade : strip) CHECK(std::isfinite(shade.x + shade.y + shade.z));
+  Scene plain = flat_scene();
+  plain.objects = {{"One", Box<double>{{0, -9, -1}, {1, 0.1, 1}}, shining(Rgbd(0.7))},
+                   {"Two", Box<double>{{0, 0.1, -1}, {1, 9, 1}}, shining(Rgbd(0.7))}};
+  for (const Rgbd& shade : strip_of(plain)) CHECK(shade == Rgbd(0.7));
+}
+
+TEST_CASE("beams are followed only where every outline is known") {
+  Scene scene = lit();
+  CHECK(why_no_beams(scene).empty());
+  scene.objects.push_back({"Egg", Sphere<double>{{0, 0, 0}, 1}, Material{}});
+  scene.objects.back().transform.push_back({Scale{{1, 2, 1}}});
+  CHECK(why_no_beams(scene) == "Egg is transformed");
+  CHECK(object_against_beams(scene) == "Egg");
+  CHECK_FALSE(record_strip(scene).of_beams());
+  scene.objects.back().transform.clear();
+  scene.camera.eye.z = 1;
+  CHECK(why_no_beams(scene) == "the eye does not lie in z = 0");
+  CHECK(object_against_beams(scene).empty());
+  CHECK_FALSE(record_pixel(lit(), {16, 11}, 3, 5).of_beams());
+}
+
+TEST_CASE("random plans of beams have finite shades and whole walks") {
+  for (int number = 0; number < 60; ++number) {
+    Scene scene = lit();
+    scene.limits.depth = 4;
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+      const double x = 4 * unit(number, static_cast<std::uint32_t>(3 * i)) - 2,
+                   y = 4 * unit(number, static_cast<std::uint32_t>(3 * i + 1)) - 2;
+      if (auto* sphere = std::get_if<Sphere<double>>(&scene.objects[i].shape)) sphere->centre += Vec3d(x, y, 0);
+      if (auto* prism = std::get_if<Prism<double>>(&scene.objects[i].shape))
+        for (Vec2d& corner : prism->corners) corner += Vec2d(x, y);
+      if (unit(number, static_cast<std::uint32_t>(3 * i + 2)) < 0.4) scene.objects[i].material.reflection = Rgbd(0.5);
+    }
+    CAPTURE(number);
+    const Timeline timeline = record_strip(scene);
+    for (const PixelRecord& pixel : timeline.pixels())
+      CHECK(std::isfinite(pixel.shade.x + pixel.shade.y + pixel.shade.z));
+    for (int position = 1; position <= timeline.steps(); ++position)
+      CHECK_FALSE(describe(scene, timeline, position).id.empty());
+  }
+}
+
+TEST_CASE("every line and every message of beam tracing is reached") {
+  std::set<std::string_view> messages;
+  std::set<Line> lines;
+  Scene alone = flat_scene();
+  alone.objects = {shades().objects[1]};
+  Scene shallow = lit(), faint = lit();
+  shallow.limits.depth = 1;
+  faint.limits.threshold = 0.95;
+  for (const Scene& scene : {lit(), alone, shallow, faint}) {
+    const Timeline timeline = record_strip(scene);
+    REQUIRE(timeline.of_beams());
+    for (int position = 1; position <= timeline.steps(); ++position) {
+      messages.insert(describe(scene, timeline, position).id);
+      lines.insert(timeline.event(position - 1).line);
+    }
+  }
+  CHECK(lines.size() == beam_line_count);
+  for (const std::string_view id : test::beam_messages) {
+    INFO(id);
+    CHECK(messages.count(id) == 1);
+  }
+}

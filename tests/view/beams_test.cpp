@@ -1,0 +1,160 @@
+// Beams in the plan: an area for a pixel's beam, then one for each part, which is as wide as what it sees.
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "fixtures.h"
+#include "io/scene_file.h"
+#include "support/catch.h"
+#include "view/legend/legend.h"
+#include "view/plan/plan_geometry.h"
+#include "view/text/text.h"
+#include "view/tree/tree_panel.h"
+#include "view/walk/code_panel.h"
+#include "view/walk/equation.h"
+#include "view/walk/status.h"
+#include "view/walk/walk.h"
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+namespace {
+
+State beam_state() {
+  const auto read = read_scene(RAYWALK_SOURCE_DIR "/scenes/beams.toml");
+  REQUIRE(read);
+  State state = state_of(read->scene);
+  update(state, action::SetMode{Mode::trace});
+  REQUIRE(state.walk.timeline->of_beams());
+  return state;
+}
+
+template <class Detail>
+int position_after(const Timeline& timeline, int from = 0) {
+  for (int i = from; i < timeline.steps(); ++i)
+    if (std::holds_alternative<Detail>(timeline.event(i).detail)) return i + 1;
+  return -1;
+}
+
+/// The areas that stand for beams and parts of the current pixel.
+std::vector<PolygonItem> areas(const State& state) {
+  std::vector<PolygonItem> found;
+  const Timeline& timeline = *state.walk.timeline;
+  for (const DisplayItem& item : plan_view(state)) {
+    const auto* polygon = std::get_if<PolygonItem>(&item.shape);
+    if (polygon == nullptr || item.target.kind != TargetKind::ray) continue;
+    if (timeline.rays()[static_cast<std::size_t>(item.target.index)].pixel ==
+        timeline.current_pixel(state.walk.position))
+      found.push_back(*polygon);
+  }
+  return found;
+}
+
+double area_of(const PolygonItem& polygon) {
+  double twice = 0;
+  for (std::size_t i = 0; i < polygon.points.size(); ++i)
+    twice += cross(polygon.points[i], polygon.points[(i + 1) % polygon.points.size()]);
+  return std::abs(twice) / 2;
+}
+
+bool says(const DisplayList& list, std::string_view words) {
+  return std::any_of(list.begin(), list.end(), [&](const DisplayItem& item) {
+    const auto* said = std::get_if<TextItem>(&item.shape);
+    return said != nullptr && said->text == words;
+  });
+}
+
+}  // namespace
+
+TEST_CASE("a beam is an area, and once it is cut there is one for each part") {
+  State state = beam_state();
+  const Timeline& timeline = *state.walk.timeline;
+  for (int at = position_after<BeamCut>(timeline); at > 0; at = position_after<BeamCut>(timeline, at)) {
+    update(state, action::Jump{at - 1});
+    const std::size_t before = areas(state).size();
+    CHECK(before > 0);
+    update(state, action::Jump{at});
+    const std::vector<PolygonItem> parts = areas(state);
+    CHECK(parts.size() == before - 1 + std::get<BeamCut>(timeline.event(at - 1).detail).pieces.size());
+    for (const PolygonItem& part : parts) CHECK(area_of(part) > 0);
+    CHECK(is_finite(plan_view(state)));
+  }
+}
+
+TEST_CASE("the part at work says how much of the pixel it is, and nothing says so before") {
+  State state = beam_state();
+  const Timeline& timeline = *state.walk.timeline;
+  int told = 0;
+  for (int at = position_after<PartBegun>(timeline); at > 0; at = position_after<PartBegun>(timeline, at)) {
+    const auto& begun = std::get<PartBegun>(timeline.event(at - 1).detail);
+    const std::string coverage = number_text(begun.coverage, state.appearance.language);
+    update(state, action::Jump{at});
+    CHECK(says(plan_view(state), coverage));
+    const int part = timeline.current_ray(at);
+    const auto label = [&] {
+      for (const TreeNode& node : tree_panel(state).nodes)
+        if (node.ray == part) return node.label;
+      return std::string();
+    };
+    CHECK_THAT(label(), contains(coverage));
+    CHECK_THAT(equation_panel(state).rows.back().text,
+               contains(equation_number(begun.coverage, state.appearance.language)));
+    update(state, action::Jump{at - 1});
+    CHECK(label().find(coverage) == std::string::npos);
+    ++told;
+  }
+  CHECK(told > 10);
+}
+
+TEST_CASE("the legend and the plan speak of beams where they are walked") {
+  State state = beam_state();
+  CHECK(legend(state).rays.front().kind == RayKind::beam);
+  CHECK(says(plan_view(state), text("plan.flat_beams", state.appearance.language)));
+  update(state, action::Jump{state.walk.timeline->steps()});
+  REQUIRE_FALSE(areas(state).empty());
+  update(state, action::ShowRays{RayKind::beam, false});
+  CHECK(areas(state).empty());
+  update(state, action::ShowRays{RayKind::beam, true});
+  const CodePanel panel = code_panel(state);
+  CHECK(panel.boxes[0].procedure == Procedure::beam_tracing);
+  CHECK(panel.boxes[1].procedure == Procedure::shade_parts);
+}
+
+TEST_CASE("any scene's walk can be of beams, and where it cannot, rays are walked and it is said why") {
+  State state = classic_state();
+  REQUIRE_FALSE(state.walk.timeline->of_beams());
+  ImageSettings settings = state.picture.settings;
+  settings.integrator = Integrator::beams;
+  update(state, action::SetImageSettings{settings});
+  CHECK(state.walk.timeline->of_beams());
+  CHECK_FALSE(state.document.notice.has_value());
+  for (int position = 0; position <= state.walk.timeline->steps(); position += 5) {
+    update(state, action::Jump{position});
+    CHECK(is_finite(plan_view(state)));
+    CHECK_FALSE(sentence(state).empty());
+  }
+  Scene scene = state.scene();
+  scene.objects[0].transform.push_back({Scale{{1, 1.5, 1}}});
+  State other = state_of(scene);
+  update(other, action::SetImageSettings{settings});
+  CHECK_FALSE(other.walk.timeline->of_beams());
+  REQUIRE(other.document.notice.has_value());
+  CHECK_THAT(other.document.notice->text, contains(scene.objects[0].name));
+}
+
+TEST_CASE("a step of beams is drawn within 16 ms") {
+  State state = beam_state();
+  update(state, action::Jump{state.walk.timeline->steps()});
+  double best = 1e9;
+  for (int i = 0; i < 10; ++i) {
+    const auto begun = std::chrono::steady_clock::now();
+    const DisplayList list = plan_view(state);
+    best = std::min(best, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count());
+    CHECK(list.size() < 5000);
+  }
+  INFO(best << " ms");
+#if defined(__OPTIMIZE__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+  CHECK(best < 16);
+#endif
+}
