@@ -141,6 +141,7 @@ std::string legend_of(const State& state) {
   for (const RayKind kind : values_of<RayKind>) {
     if (kind == RayKind::photon && !state.walk.timeline->of_photons()) continue;
     if (kind == (state.walk.timeline->of_beams() ? RayKind::primary : RayKind::beam)) continue;
+    if (kind != RayKind::primary && state.walk.timeline->of_radiosity()) continue;
     const RayStyle& style = ray_style(state.appearance.theme, kind);
     const LineItem line{{1, 6}, {45, 6}, Stroke{style.colour, 2.5, style.dash, 0}, 9};
     html += fmt::format("<li><svg viewBox=\"0 0 46 12\">{}</svg>{}</li>", svg_element(line),

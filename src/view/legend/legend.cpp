@@ -16,9 +16,11 @@ Legend legend(const State& state) {
     row(RayKind::beam, "ray.short_beam", "legend.beam");
   else
     row(RayKind::primary, "ray.short_primary", "legend.primary");
-  row(RayKind::shadow, "ray.short_shadow", "legend.shadow");
-  row(RayKind::reflect, "ray.short_reflect", "legend.reflect");
-  row(RayKind::refract, "ray.short_refract", "legend.refract");
+  if (!state.walk.timeline->of_radiosity()) {
+    row(RayKind::shadow, "ray.short_shadow", "legend.shadow");
+    row(RayKind::reflect, "ray.short_reflect", "legend.reflect");
+    row(RayKind::refract, "ray.short_refract", "legend.refract");
+  }
   if (state.walk.timeline->of_photons()) row(RayKind::photon, "ray.short_photon", "legend.photon");
   const auto sign = [&](Ending ending, std::string_view meaning) {
     legend.signs.push_back({std::string(symbol(ending)), str(state, meaning)});
