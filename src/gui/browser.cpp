@@ -235,8 +235,16 @@ void Browser::recent(const Ui& ui, float height) {
   if (!list) return;
   int number = 0;
   for (const std::string& path : ui.state.document.recent) {
-    if (ImGui::Selectable(path.c_str())) ui.act(action::Open{path});
+    // The name, and behind it the folder.
+    const std::string name = fs::path(path).filename().string(), folder = fs::path(path).parent_path().string();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float room = ImGui::GetContentRegionAvail().x, behind = ImGui::CalcTextSize(name.c_str()).x + ui.px(14);
+    if (ImGui::Selectable(("##" + path).c_str())) ui.act(action::Open{path});
     ui.publish("recent/" + std::to_string(number++));
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    draw.AddText(at, to_imgui(ui.colours.text), shortened(name, room).c_str());
+    if (behind < room)
+      draw.AddText({at.x + behind, at.y}, to_imgui(ui.colours.dim_text), shortened(folder, room - behind).c_str());
   }
   if (number == 0) paragraph(ui.colours.dim_text, ui.say("files.no_recent"));
 }

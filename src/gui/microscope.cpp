@@ -108,6 +108,7 @@ float draw_table(const Ui& ui, const Rect& where, const MicroscopeTable& table) 
   y = cell(ui.colours.text, table.sentence, where.x, y, where.width) + 1.5f * gap;
   ui.publish("microscope/sentence");
   pop_font();
+  if (table.rows.empty()) return y;
   y = draw_heads(ui, robust, naive, y) + gap;
   push_font(font);
   int number = 0;

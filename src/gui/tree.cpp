@@ -84,7 +84,7 @@ struct TreeLabel {
 };
 
 // What nodes hit: below them, in at most two lines, where the tree has room for that; always of the current one and of
-// one pointed at, which no other then covers.
+// one pointed at. None covers another.
 std::vector<TreeLabel> labels_of(const Ui& ui, const TreePanel& tree, const std::vector<ImVec2>& places,
                                  const Spacing& spacing, const Rect& seen) {
   push_font(ui.fonts.small);
@@ -106,11 +106,20 @@ std::vector<TreeLabel> labels_of(const Ui& ui, const TreePanel& tree, const std:
     return lines;
   };
   std::vector<TreeLabel> labels;
+  const auto is_free = [&](const Rect& where) {
+    return std::none_of(labels.begin(), labels.end(),
+                        [&](const TreeLabel& each) { return labels_cross(each.where, where); });
+  };
   const auto has_label = [](const TreeNode& node) { return !node.future && !node.label.empty(); };
   const auto is_whole = [](const TreeNode& node) { return node.current || node.hovered; };
-  for (std::size_t i = 0; i < places.size(); ++i) {
+  // A line that is pointed at may light several nodes: then the labels that there is room for, the current one's first.
+  std::vector<std::size_t> lit;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    if (has_label(tree.nodes[i]) && is_whole(tree.nodes[i])) lit.push_back(i);
+  const auto current = std::find_if(lit.begin(), lit.end(), [&](std::size_t i) { return tree.nodes[i].current; });
+  if (current != lit.end()) std::rotate(lit.begin(), current, current + 1);
+  for (const std::size_t i : lit) {
     const TreeNode& node = tree.nodes[i];
-    if (!has_label(node) || !is_whole(node)) continue;
     // In one line, or beside others in the two that a column has room for.
     const std::string one = shortened(node.label, std::min(ui.px(320), seen.width - ui.px(8)));
     const std::string two = broken_lines(node.label, std::max(column, ui.px(60)));
@@ -125,9 +134,9 @@ std::vector<TreeLabel> labels_of(const Ui& ui, const TreePanel& tree, const std:
     while (other < places.size() && !beside(other)) ++other;
     const bool breaks = other < places.size() && std::count(two.begin(), two.end(), '\n') == 1 &&
                         covered_by_label(in_two, room) <= covered_by_label(in_one, room);
-    labels.push_back(breaks ? TreeLabel{two, in_two} : TreeLabel{one, in_one});
+    TreeLabel label = breaks ? TreeLabel{two, in_two} : TreeLabel{one, in_one};
+    if (is_free(label.where)) labels.push_back(std::move(label));
   }
-  const std::size_t whole = labels.size();
   const float space = spacing.level - 2 * spacing.radius - 2 * room.gap;
   for (std::size_t i = 0; i < places.size() && spacing.column >= ui.px(64) && spacing.level >= ui.px(58); ++i) {
     const TreeNode& node = tree.nodes[i];
@@ -136,9 +145,7 @@ std::vector<TreeLabel> labels_of(const Ui& ui, const TreePanel& tree, const std:
     const std::string text = in_lines(node.label, std::min(space, below) >= 2 * line ? 2 : 1);
     const ImVec2 extent = extent_of(text);
     const Rect where{places[i].x - extent.x / 2, places[i].y + spacing.radius + room.gap, extent.x, extent.y};
-    const auto end = labels.begin() + static_cast<std::ptrdiff_t>(whole);
-    if (std::none_of(labels.begin(), end, [&](const TreeLabel& each) { return labels_cross(each.where, where); }))
-      labels.push_back({text, where});
+    if (is_free(where)) labels.push_back({text, where});
   }
   pop_font();
   return labels;

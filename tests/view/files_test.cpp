@@ -295,3 +295,11 @@ TEST_CASE("an edit that was undone leaves nothing to recover") {
   REQUIRE_FALSE(state.document.dirty);
   CHECK_FALSE(std::filesystem::exists(folder.file("autosave.toml")));
 }
+
+TEST_CASE("Help makes way for a scene that is opened") {
+  State state = classic_state();
+  update(state, action::SetMode{Mode::move});
+  update(state, action::SetMode{Mode::help});
+  update(state, action::Open{std::string(RAYWALK_SOURCE_DIR) + "/scenes/glass.toml"});
+  CHECK(state.walk.mode == Mode::move);
+}

@@ -68,11 +68,25 @@ std::vector<Words> words_of(const DisplayList& list, const Viewport& pane) {
   return all;
 }
 
+/// Those that state a number, such as "t = 2.05".
+std::vector<Words> numbers_of(const DisplayList& list, const Viewport& pane) {
+  std::vector<Words> all = words_of(list, pane);
+  std::erase_if(all, [](const Words& words) { return words.text.find(" = ") == std::string::npos; });
+  return all;
+}
+
 bool covers(const DisplayItem& item, const Box& box) {
   for (int i = 0; i <= 16; ++i)
     for (int j = 0; j <= 4; ++j)
       if (distance_to(item, box.min + Vec2d(i / 16.0, j / 4.0) * (box.max - box.min)) == 0) return true;
   return false;
+}
+
+bool lies_on(const DisplayItem& item, const Box& box) {
+  for (int i = 0; i <= 16; ++i)
+    for (int j = 0; j <= 4; ++j)
+      if (distance_to(item, box.min + Vec2d(i / 16.0, j / 4.0) * (box.max - box.min)) > 0) return false;
+  return true;
 }
 
 /// Which texts lie over what; the kinds of what they should not lie on.
@@ -189,4 +203,54 @@ TEST_CASE("no text of the plan lies over another, SCREEN, EYE, a light or a hand
     }
   }
   std::printf("lessons: %d texts, %d over a ray\n", crossed["texts"], crossed["over a ray"]);
+}
+
+TEST_CASE("hardly a number beside a hit lies on the outline of a body, in the lessons that read them from the plan") {
+  int seen = 0, crossed = 0;
+  State state = state_with_lessons();
+  for (const char* lesson : {"05-refraction", "09-numbers-lie"}) {
+    update(state, action::OpenLesson{lesson});
+    for (int step = 0; step < 3; ++step) {
+      update(state, action::GoToLessonStep{step});
+      REQUIRE(state.lessons.at() != nullptr);
+      for (const Window& window : {windows[0], windows[2]})
+        for (const int position : {state.lessons.at()->asked, state.lessons.at()->shown}) {
+          show_in(state, window.beside_lesson, window.scale, Theme::dark);
+          update(state, action::Jump{position});
+          update(state, action::SetTab{EquationRoom::tab});
+          const DisplayList list = plan_view(state);
+          for (const Words& words : numbers_of(list, state.plan.viewport)) {
+            ++seen;
+            // Wholly on each body, or wholly beside it.
+            crossed += std::any_of(list.begin(), list.end(), [&](const DisplayItem& item) {
+              return item.target.kind == TargetKind::object && std::get_if<PolylineItem>(&item.shape) == nullptr &&
+                     covers(item, words.box) && !lies_on(item, words.box);
+            });
+          }
+        }
+    }
+  }
+  std::printf("numbers: %d, %d over an outline\n", seen, crossed);
+  CHECK(seen > 20);
+  CHECK(10 * crossed <= seen);
+}
+
+TEST_CASE("EYE and the lights keep off the sky and the curve beside it") {
+  State state = make_state(read_document(std::string(RAYWALK_SOURCE_DIR) + "/scenes/open_air.toml"));
+  for (const Window& window : windows)
+    for (const Mode mode : {Mode::move, Mode::trace}) {
+      show_in(state, window.alone, window.scale, Theme::projector);
+      update(state, action::SetMode{mode});
+      const DisplayList list = plan_view(state);
+      for (const DisplayItem& curve : list) {
+        const auto* line = std::get_if<PolylineItem>(&curve.shape);
+        if (line == nullptr || curve.target || line->points.size() < 100) continue;
+        for (const DisplayItem& symbol : list)
+          if (symbol.target.kind == TargetKind::eye || symbol.target.kind == TargetKind::light) {
+            INFO(window.alone.width << " wide, " << name_of(symbol.target.kind));
+            CHECK(std::none_of(line->points.begin(), line->points.end(),
+                               [&](const Vec2d& at) { return distance_to(symbol, at) == 0; }));
+          }
+      }
+    }
 }

@@ -94,3 +94,23 @@ TEST_CASE("leaving a lesson restores the scene that was open before") {
     CHECK(state.lessons.judged == 1);
   }
 }
+
+TEST_CASE("a step shows beside the plan what the steps before it left there, also to who comes back to it") {
+  State state = make_state(read_scene(root + "/scenes/classic.toml").value());
+  state.lessons.folder = root + "/lessons";
+  state.lessons.scenes_folder = root + "/scenes";
+  update(state, action::ShowLessons{true});
+  update(state, action::SetLessonOptions{false, true});
+  // Its first step names the equation, the last one the tree.
+  update(state, action::OpenLesson{"05-refraction"});
+  const auto steps = static_cast<int>(state.lessons.open->played.steps.size());
+  for (int step = 1; step < steps; ++step) update(state, action::GoToLessonStep{step});
+  CHECK(state.appearance.tab == TreeRoom::tab);
+  update(state, action::GoToLessonStep{steps - 2});
+  CHECK(state.appearance.tab == EquationRoom::tab);
+  // Onwards, what a student has opened stays.
+  update(state, action::GoToLessonStep{1});
+  update(state, action::SetTab{StackRoom::tab});
+  update(state, action::GoToLessonStep{2});
+  CHECK(state.appearance.tab == StackRoom::tab);
+}

@@ -48,7 +48,7 @@ std::vector<Disc> occupied(const State& state) {
   const Scene& scene = state.scene();
   std::vector<Disc> discs{{plan(scene.camera.eye), 0}};
   for (const Light& light : scene.lights)
-    discs.push_back({light_place(light, state.plan.camera, state.plan.viewport), 0});
+    discs.push_back({light_place(state.scene(), light, state.plan.camera, state.plan.viewport), 0});
   for (const Object& object : scene.objects) {
     if (!object.transform.empty()) continue;
     if (const auto* sphere = std::get_if<Sphere<double>>(&object.shape))

@@ -127,6 +127,7 @@ void show_document(State& state, SceneDocument document, std::string path) {
   state.plan.hovered_ray = -1;
   state.walk.position = 0;
   state.walk.playing = false;
+  if (state.walk.mode == Mode::help) state.walk.mode = state.walk.before_help;  // which would hide it
   state.document.question.reset();
   state.document.notice.reset();
   state.walk.pixel.reset();

@@ -41,6 +41,7 @@ void draw_bend(Painter& painter, const BendNotes& notes) {
   Stroke thin = painter.stroke(painter.colours.normal, 1.2);
   thin.dash = painter.scaled({{4, 4}, 2});
   painter.add_clipped({at - 62 * unit * normal, at + 62 * unit * normal, thin});
+  painter.prominent.push_back({at - 62 * unit * normal, at + 62 * unit * normal});
   add_angle(painter, at, back, normal, notes.angle_in);
   add_angle(painter, at, out, dot(out, normal) < 0 ? -normal : normal, notes.angle_out);
 }

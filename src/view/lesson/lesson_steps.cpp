@@ -86,6 +86,17 @@ void show_beside(State& state, LessonBeside pane) {
     state.appearance.tab = named<Tab>(name_of(pane)).value_or(state.appearance.tab);
 }
 
+/// Opens what the steps before the current one have left beside the plan: whoever comes from a later step, or straight
+/// to this one, sees what others see here.
+void show_as_left(State& state) {
+  const std::vector<PlayedStep>& steps = state.lessons.open->played.steps;
+  for (int i = state.lessons.step - 1; i >= 0; --i) {
+    const LessonStep& before = *steps[static_cast<std::size_t>(i)].step;
+    const LessonBeside left = before.then != LessonBeside::unchanged ? before.then : before.pane;
+    if (left != LessonBeside::unchanged) return show_beside(state, left);
+  }
+}
+
 /// Shows the step's walk, at the position of the question.
 void stage(State& state) {
   const PlayedStep& step = *state.lessons.at();
@@ -138,6 +149,7 @@ void begin_lesson_at(State& state, const std::string& name, std::optional<int> w
   sitting.step = done == sitting.done.end() || done->second >= steps ? 0 : done->second;
   if (wanted) sitting.step = std::clamp(*wanted, 0, steps - 1);
   sitting.shown = true;
+  show_as_left(state);
   stage(state);
 }
 void begin_lesson(State& state, const std::string& name) { begin_lesson_at(state, name, std::nullopt); }
@@ -205,7 +217,9 @@ void action::GoToLessonStep::apply(State& state) const {
   done = std::max(done, std::min(step, panel.steps));
   write_progress(state);
   if (step >= panel.steps) return LeaveLesson{}.apply(state);
+  const bool goes_back = step < sitting.step;
   sitting.step = step;
+  if (goes_back) show_as_left(state);
   stage(state);
 }
 

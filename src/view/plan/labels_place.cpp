@@ -3,6 +3,8 @@
 
 #include "view/plan/labels_place.h"
 
+#include "view/plan/ray_cover.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -125,14 +127,21 @@ std::array<Vec2d, 2> line_to(const DrawnBody& body, const Vec2d& middle, const P
   return {from, middle};
 }
 
+/// What a name keeps off beside bodies and symbols.
+struct Neighbours {
+  std::vector<PixelRect> names;                 ///< of the others
+  std::vector<std::array<Vec2d, 2>> leaders{};  ///< of the others
+};
+
 class Places {
  public:
-  Places(const Painter& painter, const std::vector<DrawnBody>& bodies, const Labelled& thing,
-         std::vector<PixelRect> names)
+  Places(const Painter& painter, const std::vector<DrawnBody>& bodies, const RayCover& rays, const Labelled& thing,
+         Neighbours neighbours)
       : painter_(painter),
         bodies_(bodies),
+        rays_(rays),
         thing_(thing),
-        names_(std::move(names)),
+        neighbours_(std::move(neighbours)),
         unit_(painter.sizes.unit),
         letterings_(letterings(thing.text, painter.sizes.text)),
         area_(area(letterings_.front())) {}
@@ -187,7 +196,7 @@ class Places {
   [[nodiscard]] double blocked_at(const PixelRect& box, double own_area) const {
     double blocked = own_area - std::min(box.overlap(painter_.pane()), own_area);
     for (const PixelRect& taken : painter_.kept_free) blocked += box.overlap(taken);
-    for (const PixelRect& name : names_) blocked += box.overlap(name);
+    for (const PixelRect& name : neighbours_.names) blocked += box.overlap(name);
     return blocked;
   }
 
@@ -234,17 +243,37 @@ class Places {
     return false;
   }
 
+  /// The cost of the lines under a name: rays, and others' leader lines. What has no leader line itself stays near.
+  [[nodiscard]] double lined(const PixelRect& box) const {
+    const double dearest = thing_.body ? 0.6 : 0.2;
+    const bool led_over = std::any_of(neighbours_.leaders.begin(), neighbours_.leaders.end(),
+                                      [&](const auto& line) { return box.meets(line[0], line[1]); });
+    return area_ * (std::min(4 * rays_.of(box), dearest) + (led_over ? dearest : 0));
+  }
+
+  /// Whether its leader line crosses another name.
+  [[nodiscard]] bool strikes_through(const PixelRect& label) const {
+    const auto own =
+        std::find_if(bodies_.begin(), bodies_.end(), [&](const DrawnBody& b) { return b.item.target == thing_.body; });
+    if (own == bodies_.end()) return false;
+    const auto [from, to] = line_to(*own, thing_.at, label, unit_);
+    return std::any_of(neighbours_.names.begin(), neighbours_.names.end(),
+                       [&](const PixelRect& name) { return name.meets(from, to); });
+  }
+
   void consider(LabelPlace place, double extra_cost, bool led = false) {
     place.blocked = blocked_at(place.box(), area(place.letters)) / area(place.letters);
     const double hidden = hidden_at(place);
     place.hidden = hidden / area(place.letters);
     place.cost = hidden + extra_cost;
     if (place.cost >= best_.cost) return;
+    if (!place.on_body) place.cost += lined(place.box());
     if (!place.on_body) place.cost += area_ * (led ? touching(place.box()) : mistakable(place.box()));
     if (led && place.cost < best_.cost && crosses(place.box())) {
       place.cost += area_;
       place.hidden += 1;
     }
+    if (led && place.cost < best_.cost && strikes_through(place.box())) place.cost += area_;
     if (place.cost < best_.cost) best_ = std::move(place);
   }
 
@@ -285,6 +314,7 @@ class Places {
              {-dx, in_line_y},
              {-dx, -in_line_y}},
             0);
+    if (led) try_all({{dx, 0.6 * dy}, {dx, -0.6 * dy}, {-dx, 0.6 * dy}, {-dx, -0.6 * dy}}, 0);
     // A name at a corner is easily read as the caption of what lies below or above it.
     try_all({{0.7 * dx, 0.8 * dy}, {-0.7 * dx, 0.8 * dy}, {0.7 * dx, -0.8 * dy}, {-0.7 * dx, -0.8 * dy}},
             thing_.body ? 0.1 : 0);
@@ -292,13 +322,27 @@ class Places {
 
   const Painter& painter_;
   const std::vector<DrawnBody>& bodies_;
+  const RayCover& rays_;
   const Labelled& thing_;
-  std::vector<PixelRect> names_;  ///< of the others
+  Neighbours neighbours_;
   double unit_;
   std::vector<NameLines> letterings_;
   double area_;  ///< of the name in one line, in pixels: the unit of costs
   LabelPlace best_;
 };
+
+/// The leader line from a name to its body, if it is ambiguous or far away.
+std::optional<std::array<Vec2d, 2>> leader_of(const Painter& painter, const std::vector<DrawnBody>& bodies,
+                                              const Labelled& thing, const LabelPlace& place) {
+  const double unit = painter.sizes.unit;
+  if (!thing.body || place.on_body) return std::nullopt;
+  const auto own =
+      std::find_if(bodies.begin(), bodies.end(), [&](const DrawnBody& b) { return b.item.target == thing.body; });
+  if (own == bodies.end()) return std::nullopt;
+  const Distances away = distances(bodies, thing.body, place.box(), 60 * unit);
+  if (away.own <= 14 * unit && away.other > away.own + 2 * unit) return std::nullopt;
+  return line_to(*own, thing.at, place.box(), unit);
+}
 
 }  // namespace
 
@@ -343,12 +387,15 @@ std::vector<LabelPlace> place_labels(const Painter& painter, const std::vector<D
                                      const std::vector<Labelled>& things) {
   std::vector<LabelPlace> places(things.size());
   const double margin = 2.5 * painter.sizes.unit;
-  const auto names_but = [&](std::size_t own) {
-    std::vector<PixelRect> names;
-    for (std::size_t k = 0; k < places.size(); ++k)
-      if (k != own && is_shown(things[k], places[k]))
-        names.push_back({places[k].box().min - margin, places[k].box().max + margin});
-    return names;
+  const RayCover rays(painter);
+  const auto all_but = [&](std::size_t own) {
+    Neighbours all;
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      if (k == own || !is_shown(things[k], places[k])) continue;
+      all.names.push_back({places[k].box().min - margin, places[k].box().max + margin});
+      if (places[k].leader) all.leaders.push_back(*places[k].leader);
+    }
+    return all;
   };
   // Names that fit onto their bodies first, then long names, which have the fewest places. Two passes: in the first,
   // the later places are not yet known.
@@ -356,26 +403,17 @@ std::vector<LabelPlace> place_labels(const Painter& painter, const std::vector<D
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::vector<double> turn;
   for (const Labelled& thing : things) {
-    const bool fits = Places(painter, bodies, thing, {}).on_body().on_body;
+    const bool fits = Places(painter, bodies, rays, thing, {}).on_body().on_body;
     turn.push_back(!thing.body ? -2e9 : fits ? -1e9 : -width_of(thing.text, painter.sizes.text));
   }
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return turn[a] < turn[b]; });
   constexpr int rounds = 2;
   for (int round = 0; round < rounds; ++round)
-    for (const std::size_t i : order) places[i] = Places(painter, bodies, things[i], names_but(i)).best();
+    for (const std::size_t i : order) {
+      places[i] = Places(painter, bodies, rays, things[i], all_but(i)).best();
+      places[i].leader = leader_of(painter, bodies, things[i], places[i]);
+    }
   return places;
-}
-
-std::optional<std::array<Vec2d, 2>> leader_of(const Painter& painter, const std::vector<DrawnBody>& bodies,
-                                              const Labelled& thing, const LabelPlace& place) {
-  const double unit = painter.sizes.unit;
-  if (!thing.body || place.on_body) return std::nullopt;
-  const auto own =
-      std::find_if(bodies.begin(), bodies.end(), [&](const DrawnBody& b) { return b.item.target == thing.body; });
-  if (own == bodies.end()) return std::nullopt;
-  const Distances away = distances(bodies, thing.body, place.box(), 60 * unit);
-  if (away.own <= 14 * unit && away.other > away.own + 2 * unit) return std::nullopt;
-  return line_to(*own, thing.at, place.box(), unit);
 }
 
 }  // namespace raywalk

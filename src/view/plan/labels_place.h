@@ -43,6 +43,7 @@ struct LabelPlace {
   Vec2d at{0.0};  ///< its middle
   NameLines letters;
   bool on_body = false;
+  std::optional<std::array<Vec2d, 2>> leader{};           ///< from the name to its body, if ambiguous or far away
   double cost = std::numeric_limits<double>::infinity();  ///< in pixels; lower is better
   double blocked = 0;  ///< fraction outside of the pane, on symbols, on handles, or on other names
   double hidden = 0;   ///< fraction covered or covering, 1: all of it; more if its line misleads
@@ -56,10 +57,5 @@ struct LabelPlace {
 /// A place for each name, chosen jointly.
 [[nodiscard]] std::vector<LabelPlace> place_labels(const Painter& painter, const std::vector<DrawnBody>& bodies,
                                                    const std::vector<Labelled>& things);
-
-/// The leader line from a name to its body, if it is ambiguous or far away.
-[[nodiscard]] std::optional<std::array<Vec2d, 2>> leader_of(const Painter& painter,
-                                                            const std::vector<DrawnBody>& bodies, const Labelled& thing,
-                                                            const LabelPlace& place);
 
 }  // namespace raywalk

@@ -105,8 +105,9 @@ std::vector<Labelled> labelled_things(const Painter& painter, const std::vector<
     const Light& light = painter.scene().lights[i];
     const Target target{TargetKind::light, static_cast<int>(i)};
     things.push_back({shown_name(painter.state, light.name),
-                      painter.pixels(light_place(light, plan_room.camera, painter.viewport)), Vec2d(14 * unit), true,
-                      Target{}, false, plan_room.selected == target || plan_room.hovered == target});
+                      painter.pixels(light_place(painter.scene(), light, plan_room.camera, painter.viewport)),
+                      Vec2d(14 * unit), true, Target{}, false,
+                      plan_room.selected == target || plan_room.hovered == target});
   }
   add_objects(painter, bodies, things);
   return things;
@@ -133,8 +134,8 @@ void draw_labels(Painter& painter) {
         draw_letters(painter, place.at, place.letters, *colour);
         continue;
       }
-    if (const auto leader = leader_of(painter, bodies, thing, place)) {
-      const auto [from, to] = *leader;
+    if (place.leader) {
+      const auto [from, to] = *place.leader;
       painter.add(LineItem{from, to, painter.stroke(painter.colours.text.with_alpha(190), 0.7)});
       painter.add(CircleItem{to, 1.8 * painter.sizes.unit, painter.colours.text, std::nullopt});
     }

@@ -85,9 +85,32 @@ Vec2d half_of_note(const std::string& text, double size) {
   return {text_width(text, size) / 2 + 0.2 * size, 0.6 * size};
 }
 
+/// Whether the outline of a filled drawing runs through a box.
+bool runs_through(const Shape2d& shape, const PixelRect& box) {
+  if (const auto* circle = std::get_if<CircleItem>(&shape); circle != nullptr && circle->fill) {
+    const Vec2d low = box.min - circle->centre, high = box.max - circle->centre;
+    const Vec2d nearest(std::max({low.x, -high.x, 0.0}), std::max({low.y, -high.y, 0.0}));
+    const Vec2d farthest(std::max(-low.x, high.x), std::max(-low.y, high.y));
+    return length(nearest) < circle->radius && length(farthest) > circle->radius;
+  }
+  const auto* polygon = std::get_if<PolygonItem>(&shape);
+  if (polygon == nullptr || !polygon->fill || polygon->points.empty()) return false;
+  Vec2d before = polygon->points.back();
+  for (const Vec2d& corner : polygon->points) {
+    if (box.meets(before, corner)) return true;
+    before = corner;
+  }
+  return false;
+}
+
 }  // namespace
 
 bool Painter::note(const std::vector<Vec2d>& places, const std::string& text) {
+  return note(places, text, [](const Vec2d& /*place*/) { return 0.0; });
+}
+
+bool Painter::note(const std::vector<Vec2d>& places, const std::string& text,
+                   const std::function<double(const Vec2d&)>& more) {
   const Vec2d half = half_of_note(text, sizes.text);
   const double area = 4 * half.x * half.y;
   const auto is_free = [&](const PixelRect& box) {
@@ -96,15 +119,22 @@ bool Painter::note(const std::vector<Vec2d>& places, const std::string& text) {
                         [&](const PixelRect& taken) { return box.overlap(taken) > 0; });
   };
   std::optional<Vec2d> best;
-  std::ptrdiff_t least = 0;  // rays under it
+  constexpr double of_ray = 2, of_outline = 1.5;
+  double least = 0;
   for (const Vec2d& place : places) {
     const PixelRect box{place - half, place + half};
     if (!is_free(box)) continue;
-    const auto crossed =
+    const auto rays =
         std::count_if(prominent.begin(), prominent.end(), [&](const auto& ray) { return box.meets(ray[0], ray[1]); });
-    if (best && crossed >= least) continue;
+    double cost = of_ray * static_cast<double>(rays) + more(place);
+    if (best && cost >= least) continue;
+    if (std::any_of(list.begin(), list.end(), [&](const DisplayItem& item) {
+          return item.target.kind == TargetKind::object && runs_through(item.shape, box);
+        }))
+      cost += of_outline;
+    if (best && cost >= least) continue;
     best = place;
-    least = crossed;
+    least = cost;
     if (least == 0) break;
   }
   if (best) note(*best, text);
@@ -122,14 +152,24 @@ void Painter::note_beside(const Vec2d& of, const Vec2d& away, const std::string&
       const double reach = std::min(half.x / std::max(std::abs(way.x), 1e-9), half.y / std::max(std::abs(way.y), 1e-9));
       places.push_back(of + (reach + gap * sizes.unit) * way);
     }
+  // From a place to the point, unless they are beside each other.
+  const auto leader = [&](const Vec2d& at) -> std::optional<Vec2d> {
+    const Vec2d edge(std::clamp(of.x, at.x - half.x, at.x + half.x), std::clamp(of.y, at.y - half.y, at.y + half.y));
+    const bool is_first = std::find(first.begin(), first.end(), at) != first.end();
+    return is_first || length(edge - of) < 14 * sizes.unit ? std::nullopt : std::optional(edge);
+  };
   const std::size_t before = list.size();
-  if (!note(places, text)) return;
-  const Vec2d at = std::get<TextItem>(list.back().shape).at;
-  const Vec2d edge(std::clamp(of.x, at.x - half.x, at.x + half.x), std::clamp(of.y, at.y - half.y, at.y + half.y));
-  const bool is_first = std::find(first.begin(), first.end(), at) != first.end();
-  if (is_first || length(edge - of) < 14 * sizes.unit) return;
-  list.insert(list.begin() + static_cast<std::ptrdiff_t>(before),
-              {LineItem{edge, of, stroke(colours.text.with_alpha(190), 0.7)}});
+  const bool is_there = note(places, text, [&](const Vec2d& at) {
+    const std::optional<Vec2d> edge = leader(at);
+    if (!edge) return 0.0;
+    const bool runs_over =
+        std::any_of(kept_free.begin(), kept_free.end(), [&](const PixelRect& taken) { return taken.meets(*edge, of); });
+    return (runs_over ? 2.0 : 0.0) + (length(*edge - of) > 50 * sizes.unit ? 1.0 : 0.0);
+  });
+  if (!is_there) return;
+  if (const std::optional<Vec2d> edge = leader(std::get<TextItem>(list.back().shape).at))
+    list.insert(list.begin() + static_cast<std::ptrdiff_t>(before),
+                {LineItem{*edge, of, stroke(colours.text.with_alpha(190), 0.7)}});
 }
 
 void Painter::note(const Vec2d& at, const std::string& text) {

@@ -5,6 +5,7 @@
 #include "view/plan/plan_view.h"
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -29,7 +30,7 @@ class Painter {
   const Palette& colours;
   DisplayList list;
   std::vector<PixelRect> kept_free;             ///< not used by labels
-  std::vector<std::array<Vec2d, 2>> prominent;  ///< rays of the current pixel
+  std::vector<std::array<Vec2d, 2>> prominent;  ///< rays of the current pixel, and normals
 
   [[nodiscard]] const Scene& scene() const { return state.scene(); }
   [[nodiscard]] Vec2d pixels(const Vec2d& point) const { return to_pixels(state.plan.camera, viewport, point); }
@@ -45,8 +46,9 @@ class Painter {
   void add_clipped(LineItem line, const Target& target = {});
   /// A text on its own background, which labels avoid; `at`: its middle.
   void note(const Vec2d& at, const std::string& text);
-  /// The same at the first of these places that is in the pane, not kept free and, if possible, on no ray of the pixel.
-  /// None if there is no such place: it must be said elsewhere too. Returns whether it is there.
+  /// The same at the first of these places that is in the pane, not kept free and, if possible, on no ray of the pixel
+  /// and on no outline of a body. None if there is no such place: it must be said elsewhere too. Returns whether it is
+  /// there.
   bool note(const std::vector<Vec2d>& places, const std::string& text);
   /// The same at one of `first`; else beside a point, as near as possible and farther away with a line to it. `away`:
   /// preferably in this direction, of unit length.
@@ -58,6 +60,8 @@ class Painter {
   void keep_free(const Vec2d& at, double radius) { kept_free.push_back({at - radius, at + radius}); }
 
  private:
+  /// The same, where each place costs this much `more` than the lines that it lies on, of which a ray costs 2.
+  bool note(const std::vector<Vec2d>& places, const std::string& text, const std::function<double(const Vec2d&)>& more);
   /// The visible part of a segment, with a margin: from and to, 0..1.
   [[nodiscard]] std::optional<std::array<double, 2>> seen_stretch(const Vec2d& from, const Vec2d& to) const;
 };

@@ -62,13 +62,15 @@ std::optional<PlanLine> plan_line(const Plane<double>& plane) {
   return PlanLine{plan(plane.point) + offset * unit, {unit.y, -unit.x}};
 }
 
-Vec2d light_place(const Light& light, const PlanCamera& camera, const Viewport& viewport) {
+Vec2d light_place(const Scene& scene, const Light& light, const PlanCamera& camera, const Viewport& viewport) {
   return std::visit(Overloaded{
                         [&](const DirectionalLight& sun) {
                           const Vec2d towards = plan(sun.direction);
                           const double size = length(towards);
                           if (!(size > 0)) return camera.centre;
-                          const double far = 0.42 * std::min(viewport.width, viewport.height) / camera.pixels_per_unit;
+                          // Within the ring of a sky.
+                          const double part = scene.sky ? 0.34 : 0.42;
+                          const double far = part * std::min(viewport.width, viewport.height) / camera.pixels_per_unit;
                           return camera.centre + far / size * towards;
                         },
                         [&](const auto&) { return plan(*middle_of(light)); },
@@ -115,7 +117,7 @@ double clearance(const State& state, int own, const Vec2d& at, const Viewport& v
     if (const auto* prism = std::get_if<Prism<double>>(&object.shape))
       for (int corner = 0; corner < prism->sides(); ++corner) keep_off(prism->corner(corner));
   }
-  for (const Light& light : scene.lights) keep_off(light_place(light, state.plan.camera, viewport));
+  for (const Light& light : scene.lights) keep_off(light_place(scene, light, state.plan.camera, viewport));
   return least;
 }
 
@@ -186,7 +188,7 @@ Vec2d place_of(const State& state, const Target& target, const Viewport& viewpor
     case TargetKind::rotation:
       return rotation_place(state, target, std::get<Prism<double>>(scene.objects[index].shape), viewport);
     case TargetKind::light:
-      return light_place(scene.lights[index], state.plan.camera, viewport);
+      return light_place(scene, scene.lights[index], state.plan.camera, viewport);
     case TargetKind::ray: {
       const RayRecord& ray = state.walk.timeline->rays()[index];
       return plan(ray.origin + ray.end) / 2.0;

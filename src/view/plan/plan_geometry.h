@@ -42,7 +42,8 @@ struct PlanLine {
 [[nodiscard]] std::optional<PlanLine> plan_line(const Plane<double>& plane);
 
 /// The place of a light's symbol. A directional light's is in its direction, within view.
-[[nodiscard]] Vec2d light_place(const Light& light, const PlanCamera& camera, const Viewport& viewport);
+[[nodiscard]] Vec2d light_place(const Scene& scene, const Light& light, const PlanCamera& camera,
+                                const Viewport& viewport);
 
 /// The handle position of a target, which must exist. Cells and rays: their middle.
 [[nodiscard]] Vec2d place_of(const State& state, const Target& target, const Viewport& viewport);

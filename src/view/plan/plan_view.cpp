@@ -46,10 +46,9 @@ PlanCamera fit(const Scene& scene, const Viewport& viewport, double unit) {
         if (length(nearest - middle) < near) include(nearest);
       }
   const Vec2d size = plan(box.max) - plan(box.min);
-  // The margins are for symbols, labels and handles.
-  const auto room = [&](double pixels) {
-    return pixels - 2 * std::min(std::max(0.07 * pixels, 34 * unit), 0.2 * pixels);
-  };
+  // The margins are for symbols, labels and handles, and these keep off the sky, whose ring has round corners.
+  const double margin = (scene.sky ? sky_depth + 50 : 34) * unit;
+  const auto room = [&](double pixels) { return pixels - 2 * std::min(std::max(0.07 * pixels, margin), 0.2 * pixels); };
   const double widest = std::max({size.x / room(viewport.width), size.y / room(viewport.height), 1e-9});
   return {plan(box.min) + size / 2.0, std::clamp(1 / widest, 1e-6, 1e9), true};
 }

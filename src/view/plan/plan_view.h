@@ -10,6 +10,9 @@ namespace raywalk {
 [[nodiscard]] Vec2d to_pixels(const PlanCamera& camera, const Viewport& viewport, const Vec2d& point);
 [[nodiscard]] Vec2d to_scene(const PlanCamera& camera, const Viewport& viewport, const Vec2d& pixels);
 
+/// How deep the ring of a sky and the curve beside it reach into the pane from its border, in units at scale 1.
+inline constexpr double sky_depth = 39;
+
 /// The camera that shows everything in the plan, with a margin. `unit`: pixels per unit at scale 1, for the margin that
 /// symbols and names need.
 [[nodiscard]] PlanCamera fit(const Scene& scene, const Viewport& viewport, double unit = 1);

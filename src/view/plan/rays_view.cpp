@@ -92,6 +92,7 @@ void draw_normal(Painter& painter, const RayRecord& ray) {
   const Vec2d at = painter.pixels(plan(ray.end));
   LineItem line{at, at + 26 * painter.sizes.unit * normal, painter.stroke(painter.colours.normal),
                 5 * painter.sizes.unit};
+  painter.prominent.push_back({line.from, line.to});
   painter.add_clipped(line);
 }
 

@@ -116,7 +116,7 @@ void draw_lights(Painter& painter) {
   for (std::size_t i = 0; i < painter.scene().lights.size(); ++i) {
     const Light& light = painter.scene().lights[i];
     const Target target{TargetKind::light, static_cast<int>(i)};
-    const Vec2d at = painter.pixels(light_place(light, painter.state.plan.camera, painter.viewport));
+    const Vec2d at = painter.pixels(light_place(painter.scene(), light, painter.state.plan.camera, painter.viewport));
     const Stroke outline = painter.outline(target, painter.colours.light, 1.4);
     constexpr int spokes = 8;
     for (int spoke = 0; spoke < spokes; ++spoke) {

@@ -1,5 +1,6 @@
 #include "trace/sky_light.h"
 #include "view/plan/painter.h"
+#include "view/plan/plan_view.h"
 #include "view/state.h"
 #include "view/text/text.h"
 #include "view/walk/walk.h"
@@ -70,7 +71,10 @@ void draw_met(Painter& painter, const Ring& ring, double width) {
 void SkyRoom::draw_in_plan(Painter& painter) {
   if (!painter.scene().sky) return;
   const std::shared_ptr<const SkyLight> light = light_of(painter.state);
-  const double unit = painter.sizes.unit, margin = 4 * unit, width = 9 * unit, tallest = 26 * unit;
+  const double unit = painter.sizes.unit, margin = 4 * unit, width = 9 * unit;
+  // Lower in a small pane, where the scene needs the room.
+  const double tallest =
+      std::min(sky_depth * unit - margin - width, 0.05 * std::min(painter.viewport.width, painter.viewport.height));
   const Ring ring{{painter.viewport.width / 2, painter.viewport.height / 2},
                   painter.viewport.width / 2 - margin,
                   painter.viewport.height / 2 - margin};
