@@ -213,12 +213,12 @@ Rendering stopped_before(const RenderSettings& settings) {
 
 Result<Rendering> render_pixels(const Scene& scene, const RenderSettings& settings, ImageSize size, ImageSize whole) {
   if (const auto error = why_too_deep(scene.limits.depth)) return tl::unexpected(*error);
-  if (scene.render.integrator == Integrator::radiosity)
-    if (const auto error = why_no_patches(scene, settings.stop)) return tl::unexpected(*error);
   RenderSettings of_picture = settings;
   of_picture.size = size;
   if (const auto error = why_too_large(memory_needed(scene, of_picture), "")) return tl::unexpected(*error);
   try {
+    if (scene.render.integrator == Integrator::radiosity)
+      if (const auto error = why_no_patches(scene, settings.stop)) return tl::unexpected(*error);
     switch (settings.precision) {
       case Precision::float_:
         return render_in<float>(scene, settings, size, whole);
