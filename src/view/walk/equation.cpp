@@ -23,7 +23,7 @@ struct Word {
 
 double angle_between(const Vec3d& u, const Vec3d& v) {
   const double sizes = length(u) * length(v);
-  return sizes > 0 ? degrees(dot(u, v) / sizes) : 0;
+  return sizes > 0 ? angle_of_cosine(dot(u, v) / sizes) : 0;
 }
 
 /// Writes the rows of one event. A row's numbers go through number(), so that what is shown is what is kept.
@@ -165,8 +165,8 @@ class EquationWriter {
     if (!formed.snell) return line("P", formed.origin, "T", formed.direction);
     const SnellNumbers& s = *formed.snell;
     row(Kind::formula, "n₁ ", Word{"equation.sine"}, " θ₁ = n₂ ", Word{"equation.sine"}, " θ₂");
-    row(Kind::numbers, s.n1, " · ", Word{"equation.sine"}, " ", degrees(s.cos_in), "° = ", s.n2, " · ",
-        Word{"equation.sine"}, " ", degrees(s.cos_out), "°");
+    row(Kind::numbers, s.n1, " · ", Word{"equation.sine"}, " ", angle_of_cosine(s.cos_in), "° = ", s.n2, " · ",
+        Word{"equation.sine"}, " ", angle_of_cosine(s.cos_out), "°");
     row(Kind::note, s.n2 > s.n1   ? Word{"equation.slower_beyond"}
                     : s.n2 < s.n1 ? Word{"equation.faster_beyond"}
                                   : Word{"equation.as_fast_beyond"});
@@ -434,7 +434,7 @@ std::string equation_number(double value, Language language) {
   return value == 0 ? "0" : typeset_number(fmt::format("{:.4g}", value), language);
 }
 
-double degrees(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi; }
+double angle_of_cosine(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi; }
 
 EquationPanel equation_panel(const State& state) { return EquationWriter(state).panel(); }
 

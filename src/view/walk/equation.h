@@ -35,7 +35,7 @@ struct EquationPanel {
 [[nodiscard]] std::string equation_number(double value, Language language);
 
 /// Of the angle that has this cosine, which rounding may have put beyond 1.
-[[nodiscard]] double degrees(double cosine);
+[[nodiscard]] double angle_of_cosine(double cosine);
 
 /// The notes beside the hit of the current ray: its t, its angle to the normal. Empty before the hit is known.
 struct HitNotes {

@@ -19,7 +19,8 @@ HitNotes hit_notes(const State& state) {
   HitNotes notes{"t = " + equation_number(found->t, state.appearance.language), {}};
   if (ray.ending != Ending::hit) return notes;
   const double cosine = std::abs(dot(ray.normal, ray.direction)) / std::max(length(ray.direction), 1e-300);
-  notes.angle = "θ = " + typeset_number(fmt::format("{:.1f}", degrees(cosine)), state.appearance.language) + "°";
+  notes.angle =
+      "θ = " + typeset_number(fmt::format("{:.1f}", angle_of_cosine(cosine)), state.appearance.language) + "°";
   return notes;
 }
 
@@ -40,7 +41,7 @@ std::optional<BendNotes> bend_notes(const State& state) {
   notes.out = formed->direction;
   const double side = formed->kind == RayKind::refract ? -1 : 1;
   const auto angle = [&](const char* name, double cosine) {
-    return name + typeset_number(fmt::format("{:.1f}", degrees(cosine)), state.appearance.language) + "°";
+    return name + typeset_number(fmt::format("{:.1f}", angle_of_cosine(cosine)), state.appearance.language) + "°";
   };
   notes.angle_in = angle("θ₁ = ", formed->snell ? formed->snell->cos_in : dot(notes.normal, notes.back));
   notes.angle_out = angle("θ₂ = ", formed->snell ? formed->snell->cos_out : side * dot(notes.normal, notes.out));
