@@ -89,6 +89,25 @@ TEST_CASE("the plan says that the world is flat, and how much light is unshot") 
   }
 }
 
+TEST_CASE("bars of unshot light shrink: they are measured by the first light") {
+  State state = room();
+  const Timeline& timeline = *state.walk.timeline;
+  const auto longest_bar = [&](int position) {
+    update(state, action::Jump{position});
+    double longest = 0;
+    for (const DisplayItem& item : plan_view(state)) {
+      const auto* line = std::get_if<LineItem>(&item.shape);
+      if (line != nullptr && line->stroke.colour == palette(state.appearance.theme).light)
+        longest = std::max(longest, length(line->to - line->from));
+    }
+    return longest;
+  };
+  int last = 2;
+  for (int at = timeline.end_of_shot(0); at > 0; at = timeline.end_of_shot(at)) last = at;
+  CHECK(longest_bar(2) > 20);
+  CHECK(longest_bar(last) < 0.5 * longest_bar(2));
+}
+
 TEST_CASE("both procedures are shown, and every row has its text") {
   State state = room();
   update(state, action::Jump{position_after<FormFactorFound>(*state.walk.timeline)});

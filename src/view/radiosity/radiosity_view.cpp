@@ -29,9 +29,11 @@ Strip strip_of(const Painter& painter, const Patch& patch) {
 
 class PatchPainter {
  public:
-  PatchPainter(Painter& painter, const Patches& patches, std::vector<PatchLight> lights)
+  /// `first`: the light before the first shot, by which bars are measured.
+  PatchPainter(Painter& painter, const Patches& patches, std::vector<PatchLight> lights,
+               const std::vector<PatchLight>& first)
       : painter_(painter), patches_(patches), lights_(std::move(lights)) {
-    for (int i = 0; i < patches_.size(); ++i) most_ = std::max(most_, power(i));
+    for (int i = 0; i < static_cast<int>(first.size()); ++i) most_ = std::max(most_, power(i, first));
   }
 
   /// As the eye would see it: the radiance that leaves the patch.
@@ -58,7 +60,7 @@ class PatchPainter {
     if (!(power(i) > 0)) return;
     const Strip strip = strip_of(painter_, patches_[i]);
     const double unit = painter_.sizes.unit, base = 7 * unit, longest = 38 * unit;
-    const double tall = longest * std::sqrt(power(i) / most_);
+    const double tall = longest * std::min(std::sqrt(power(i) / most_), 1.0);
     if (tall < 0.5) return;
     const Vec2d from = strip.middle() + base * strip.out;
     painter_.add(LineItem{.from = from, .to = from + tall * strip.out, .stroke = {painter_.colours.light, 5 * unit}});
@@ -93,9 +95,10 @@ class PatchPainter {
   [[nodiscard]] int count() const { return patches_.size(); }
 
  private:
-  [[nodiscard]] double power(int i) const {
-    if (lights_.empty()) return 0;
-    const Rgbd& unshot = lights_[static_cast<std::size_t>(i)].unshot;
+  [[nodiscard]] double power(int i) const { return power(i, lights_); }
+  [[nodiscard]] double power(int i, const std::vector<PatchLight>& lights) const {
+    if (lights.empty()) return 0;
+    const Rgbd& unshot = lights[static_cast<std::size_t>(i)].unshot;
     return patches_[i].area * (unshot.x + unshot.y + unshot.z);
   }
 
@@ -126,7 +129,7 @@ void RadiosityRoom::draw_in_plan(Painter& painter) {
   if (!timeline.of_radiosity() || !timeline.is_flat() || timeline.patches() == nullptr) return;
   const int position = painter.state.walk.position;
   if (position > 0) {
-    PatchPainter patches(painter, *timeline.patches(), timeline.lights_at(position));
+    PatchPainter patches(painter, *timeline.patches(), timeline.lights_at(position), timeline.lights_at(2));
     for (int i = 0; i < patches.count(); ++i) patches.draw_patch(i);
     for (int i = 0; i < patches.count(); ++i) patches.draw_unshot(i);
     if (const int shooter = shooter_at(timeline, position); shooter >= 0) patches.draw_shooter(shooter);
