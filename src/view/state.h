@@ -63,10 +63,9 @@ struct State {
 };
 
 /// All rooms, in the order of their tabs and of their commands in menus.
-using Rooms =
-    Types<WalkRoom, LessonRoom, BugRoom, PlanRoom, SpaceRoom, PictureRoom, TreeRoom, StackRoom, EquationRoom,
-          LegendRoom, CostRoom, MicroscopeRoom, StructureRoom, DocumentRoom, PredictRoom, ExportRoom, LinkRoom,
-          LiveRoom, BandRoom, EffectsRoom, FocusRoom, SkyRoom, PhotonRoom, InkRoom, AppearanceRoom>;
+using Rooms = Types<WalkRoom, LessonRoom, BugRoom, PlanRoom, SpaceRoom, PictureRoom, TreeRoom, StackRoom, EquationRoom,
+                    LegendRoom, CostRoom, MicroscopeRoom, StructureRoom, DocumentRoom, PredictRoom, ExportRoom,
+                    LinkRoom, LiveRoom, BandRoom, EffectsRoom, FocusRoom, SkyRoom, PhotonRoom, InkRoom, AppearanceRoom>;
 
 namespace rooms {
 template <class Room>
