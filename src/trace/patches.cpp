@@ -143,7 +143,8 @@ std::vector<std::string> patch_losses(const Scene& scene) {
         losses.push_back(quoted(object.name) + " shows no highlights: radiosity knows matt surfaces only");
     });
   if (scene.sky || !is_black(scene.background))
-    losses.emplace_back("what lies around the scene is seen, but lights nothing: radiosity has patches on surfaces only");
+    losses.emplace_back(
+        "what lies around the scene is seen, but lights nothing: radiosity has patches on surfaces only");
   return losses;
 }
 
