@@ -3,13 +3,14 @@
 #include "render/render.h"
 
 #include <algorithm>
-#include <cstring>
 
 #include "render/memory_need.h"
+#include "render/scenes.h"
 #include "support/catch.h"
 
 using namespace raywalk;
 using raywalk::test::contains;
+using raywalk::test::same_pixels;
 
 namespace {
 
@@ -37,12 +38,6 @@ Rendering rendered(const Scene& scene, const RenderSettings& settings) {
   auto rendering = render(scene, settings);
   REQUIRE(rendering);
   return std::move(*rendering);
-}
-
-bool same_pixels(const Rendering& a, const Rendering& b) {
-  const Image one = a.image(), other = b.image();
-  return one.pixels.size() == other.pixels.size() &&
-         std::memcmp(one.pixels.data(), other.pixels.data(), one.pixels.size() * sizeof(one.pixels[0])) == 0;
 }
 
 }  // namespace

@@ -4,13 +4,14 @@
 #include "render/render.h"
 
 #include <algorithm>
-#include <cstring>
 #include <vector>
 
+#include "render/scenes.h"
 #include "support/catch.h"
 
 using namespace raywalk;
 using raywalk::test::contains;
+using raywalk::test::same_pixels;
 
 namespace {
 
@@ -29,12 +30,6 @@ Scene room() {
   scene.render.integrator = Integrator::radiosity;
   scene.render.radiosity.patch = 0.6;
   return scene;
-}
-
-bool same_pixels(const Rendering& a, const Rendering& b) {
-  const Image one = a.image(), other = b.image();
-  return one.pixels.size() == other.pixels.size() &&
-         std::memcmp(one.pixels.data(), other.pixels.data(), one.pixels.size() * sizeof(one.pixels[0])) == 0;
 }
 
 }  // namespace

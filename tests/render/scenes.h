@@ -31,6 +31,12 @@ std::size_t pixels_that_differ(const Film<T>& a, const Film<T>& b) {
   return count;
 }
 
+inline bool same_pixels(const Rendering& a, const Rendering& b) {
+  const Image one = a.image(), other = b.image();
+  return one.pixels.size() == other.pixels.size() &&
+         std::memcmp(one.pixels.data(), other.pixels.data(), one.pixels.size() * sizeof(one.pixels[0])) == 0;
+}
+
 template <class T>
 bool same_bits(const Rgb<T>& a, const Rgb<T>& b) {
   return std::memcmp(&a, &b, sizeof(Rgb<T>)) == 0;
