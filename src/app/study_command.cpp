@@ -78,8 +78,8 @@ ExitCode study_command(const StudyCommandOptions& options) {
   }
   if (options.folder.empty())
     return refuse({"", 0, 0, "raywalk study: -o DIR is required", "name a folder for the results"});
-  study::StudyOptions to{options.folder,       effort, options.threads, options.share, study::machine_text(),
-                         command_text(options)};
+  study::StudyOptions to{options.folder,        effort,       options.threads, study::machine_text(),
+                         command_text(options), options.share};
   const Interrupt interrupt(Patience::brief,
                             "interrupted; what was measured is kept: the same command goes on from it\n");
   to.stop = interrupt.stop();

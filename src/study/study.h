@@ -17,12 +17,12 @@ namespace raywalk::study {
 struct StudyOptions {
   std::string folder;  ///< made when it does not exist
   Effort effort = Effort::full;
-  int threads = 0;  ///< rounds in parallel; 0: one per hardware thread
+  int threads = 0;      ///< rounds in parallel; 0: one per hardware thread
+  std::string machine;  ///< in words; measurements of another machine are repeated
+  std::string command;  ///< that repeats the study, for the page
   /// Measures only these rounds of each experiment, of which every `of`-th is one, into tables of their own beside the
   /// others; the page is not made. Absent: all, and the parts that are in the folder need not be measured again.
   std::optional<Share> share{};
-  std::string machine;  ///< in words; measurements of another machine are repeated
-  std::string command;  ///< that repeats the study, for the page
   std::function<void(const std::string& experiment, double done, double seconds_left)> progress{};
   Stop stop{};
 };
