@@ -42,7 +42,7 @@ TEST_CASE("names of endings and ray kinds are those of the statistics file") {
                                             "total_internal_reflection", "path_length", "facing_away", "outside_cone"});
   std::set<std::string_view> kinds;
   for (int i = 0; i < ray_kind_count; ++i) kinds.insert(name_of(static_cast<RayKind>(i)));
-  CHECK(kinds == std::set<std::string_view>{"primary", "shadow", "reflect", "refract", "photon"});
+  CHECK(kinds == std::set<std::string_view>{"primary", "shadow", "reflect", "refract", "photon", "beam"});
 }
 
 TEST_CASE("a primary ray hits or misses") {
