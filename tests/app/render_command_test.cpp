@@ -160,7 +160,7 @@ TEST_CASE("the statistics hold what is promised, and add up") {
     formed += rays.at(kind).get<std::uint64_t>();
   }
   CHECK(rays.at("photon") == 0);
-  CHECK(rays.size() == 5);
+  CHECK(rays.size() == 6);
   CHECK(rays.at("primary") == 441 * 331 * 4);
   std::uint64_t endings = 0;
   for (const std::string ending : {"hit", "missed", "blocked", "reached_light"})

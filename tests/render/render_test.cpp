@@ -64,7 +64,7 @@ TEMPLATE_TEST_CASE("watching changes no pixel and no count, in any planar scene"
       CHECK(pixels_that_differ(plain.film_of<TestType>(), watched.film) == 0);
       CHECK(text_of(plain.statistics) == text_of(watched.statistics));
       CHECK(watched.observer.pixels == static_cast<std::size_t>(small.width * small.height * samples));
-      CHECK(watched.observer.events > 5 * watched.observer.pixels);
+      CHECK(watched.observer.events >= 5 * watched.observer.pixels);
     }
   }
 }
@@ -182,7 +182,8 @@ TEST_CASE("the rays formed are those that ended, and unused effects draw nothing
     CHECK(s.not_finite == 0);
     CHECK_FALSE(one.effects.used(Effect::antialiasing));
     const auto three = render(named.scene, {small, Sampling{3}}).value();
-    CHECK(three.statistics.drawn(Effect::antialiasing) == 6 * s.formed(RayKind::primary));
+    const std::uint64_t draws = draws_random(integrator_of(named.scene, 3)) ? 6 : 0;  // else at fixed places
+    CHECK(three.statistics.drawn(Effect::antialiasing) == draws * s.formed(RayKind::primary));
     CHECK(three.effects.used(Effect::antialiasing));
   }
 }
