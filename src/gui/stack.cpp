@@ -25,7 +25,7 @@ void draw_returned(const Ui& ui, const StackRow& row) {
 int stack_tab(const Ui& ui, const Rect& where) {
   const StackPanel stack = stack_panel(ui.state);
   if (stack.rows.empty()) {
-    paragraph(ui.colours.dim_text, ui.say("stack.empty"));
+    paragraph(ui.colours.dim_text, stack.empty);
     return -1;
   }
   int pointed_at = -1;

@@ -185,7 +185,7 @@ class Outliner {
   void stack() {
     OutlineItem& region = open("stack", say("command.tab_stack.label"), true);
     const StackPanel panel = stack_panel(state_);
-    if (panel.rows.empty()) return static_cast<void>(add(region, Role::text, "empty", say("stack.empty")));
+    if (panel.rows.empty()) return static_cast<void>(add(region, Role::text, "empty", panel.empty));
     OutlineItem& list = add(region, Role::list, "calls", region.name);
     for (std::size_t i = 0; i < panel.rows.size(); ++i) {
       const StackRow& row = panel.rows[i];

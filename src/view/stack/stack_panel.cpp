@@ -72,7 +72,11 @@ StackPanel stack_panel(const State& state) {
   const Timeline& timeline = *state.walk.timeline;
   StackPanel panel;
   const int pixel = timeline.current_pixel(state.walk.position);
-  if (pixel < 0) return panel;
+  if (pixel < 0) {
+    // Photons and patches have light before a pixel has any.
+    panel.empty = str(state, state.walk.position == 0 ? "stack.empty" : "stack.no_pixel");
+    return panel;
+  }
   const Timeline::Range range = timeline.rays_of_pixel(pixel);
   const auto formed = static_cast<int>(timeline.rays_at(state.walk.position).size());
   const Event* next = timeline.next(state.walk.position);

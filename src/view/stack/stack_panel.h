@@ -25,6 +25,7 @@ struct StackRow {
 
 struct StackPanel {
   std::vector<StackRow> rows;  ///< innermost call first, MAIN ALGORITHM last
+  std::string empty;           ///< why there are none, where there are none
 };
 
 [[nodiscard]] StackPanel stack_panel(const State& state);
