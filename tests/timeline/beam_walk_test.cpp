@@ -74,7 +74,8 @@ Scene lit() {
   scene.objects[2].material = glass;
   scene.objects[3].material = chrome;
   scene.objects.push_back({"Floor", Plane<double>{{0, 0, -1}, {0, 0, 1}}, matt});
-  scene.lights = {{"Lamp", Rgbd(0.9), PointLight{{-3, 4, 0}, {1, 0, 0}}}, {"Sun", Rgbd(0.2), DirectionalLight{{-1, -0.4, 0}}}};
+  scene.lights = {{"Lamp", Rgbd(0.9), PointLight{{-3, 4, 0}, {1, 0, 0}}},
+                  {"Sun", Rgbd(0.2), DirectionalLight{{-1, -0.4, 0}}}};
   return scene;
 }
 
