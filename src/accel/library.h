@@ -11,15 +11,13 @@
 //
 // What holds:
 // - A hit or a miss is right, as if computed without rounding, for the corners and the ray as given. A closed mesh has
-// no
-//   gaps: a ray through an edge or a corner crosses the surface once. A ray in the plane of a triangle does not meet
+//   no gaps: a ray through an edge or a corner crosses the surface once. A ray in the plane of a triangle does not meet
 //   it.
 // - The answer does not depend on the processor, on what else is in the set, or on batches; t has the error of one
 //   division or so.
 // - Everything const may be called from any number of threads at once. There is no global state.
 // - Nothing throws. What build cannot use it says; a query with numbers that are not finite, beyond `max_coordinate`,
-// or
-//   without a direction meets nothing.
+//   or without a direction meets nothing.
 
 #include <array>
 #include <cstddef>

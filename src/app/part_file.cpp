@@ -11,7 +11,6 @@
 #include <bit>
 #include <cstring>
 #include <string_view>
-#include <type_traits>
 
 namespace raywalk {
 
