@@ -23,17 +23,14 @@ double far_from(const Vec2d& eye, const std::vector<Outline>& outlines) {
 }
 
 std::vector<int> primitives_of(const World<double>& world, const std::vector<Outline>& outlines) {
-  std::vector<int> primitives;
-  const int count = world.objects.empty() ? 0 : static_cast<int>(world.objects.size());
-  for (const Outline& outline : outlines) {
-    int primitive = outline.object;
-    for (int i = 0; i < count; ++i)
-      if (world.object(i) == outline.object) {
-        primitive = i;
-        break;
-      }
-    primitives.push_back(primitive);
+  std::vector<int> first;  // by object
+  for (int i = world.accelerator.primitives().size() - 1; i >= 0; --i) {
+    const auto object = static_cast<std::size_t>(world.object(i));
+    if (object >= first.size()) first.resize(object + 1);
+    first[object] = i;
   }
+  std::vector<int> primitives;
+  for (const Outline& outline : outlines) primitives.push_back(first[static_cast<std::size_t>(outline.object)]);
   return primitives;
 }
 

@@ -103,16 +103,8 @@ void BeamTracer<Watcher>::meet(Part& part, const Beam& beam) {
   };
   const Followed followed{part.ray, part.number, 1, Rgbd(1.0), beam.medium};
   part.at = prepare_vertex<AllEffects>(world_, nested_, followed, hit, statistics_);
-  const auto& surface = *part.at->surface;
-  part.ambient = surface.ambient;
-  const Primitives<double>& primitives = world_.accelerator.primitives();
-  const SurfacePoint<double> point{part.at->position, part.at->outward_normal};
-  if (surface.checker || surface.texture) {
-    const Vec2d uv = primitives.uv_at(hit.primitive, point, hit.part, part.ray.time);
-    if (surface.checker)
-      part.ambient *= even_square(uv, surface.checker->size) ? surface.checker->even : surface.checker->odd;
-    if (surface.texture) part.ambient *= surface.texture->at(uv);
-  }
+  part.ambient = textured(part.at->surface->ambient, world_, hit.primitive,
+                          SurfacePoint<double>{part.at->position, part.at->outward_normal}, hit.part, part.ray.time);
 }
 
 template <class Watcher>

@@ -1,6 +1,7 @@
 #pragma once
 // What the statements of trace/photons.h about pixels do. Included by it alone.
 
+#include "trace/flat_ray.h"
 #include "trace/photon_steps.h"
 
 namespace raywalk {
@@ -25,11 +26,7 @@ void PhotonTracer<Policy>::begin(const Pixel& pixel) {
 template <class Policy>
 auto PhotonTracer<Policy>::form_primary_ray(const Pixel& pixel) -> EyeRay {
   raywalk::Ray<T> ray = camera_.primary_ray(pixel, pixel_draws_, statistics_);
-  if (settings_.flat) {
-    // Samples are spread over the height of the pixel too, where a flat world is the same.
-    ray.origin.z = ray.direction.z = 0;
-    ray.direction = normalize(ray.direction);
-  }
+  if (settings_.flat) ray = flattened(ray);
   EyeRay primary{Ray{ray}, RayKind::primary, Rgb<T>(1), 1, rays_formed_++};
   if constexpr (Policy::effects.nesting) {
     if (nested_.any_around_eye()) primary.medium = nested_.at_eye(primary.ray, statistics_.tests);

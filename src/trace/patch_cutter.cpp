@@ -111,16 +111,15 @@ class Cutter {
     }
   }
 
-  /// What a profile sweeps about the z axis: circles of these radii at these heights, from below up, scaled by rx and
-  /// ry.
-  void swept(int part, const std::vector<Vec2d>& profile, double rx, double ry) {
+  /// What a profile sweeps about the vertical through `middle`: circles of these radii at these heights, from below
+  /// up, scaled by rx and ry.
+  void swept(int part, const std::vector<Vec2d>& profile, double rx, double ry, const Vec3d& middle = Vec3d(0.0)) {
     double widest = 0;
     for (const Vec2d& at : profile) widest = std::max(widest, at.x);
     const int around = sides(widest * std::max(rx, ry));
+    const auto at = [&](std::size_t k, int i) { return middle + round(profile[k], i, around, rx, ry); };
     for (std::size_t k = 0; k + 1 < profile.size() && !too_many(); ++k)
-      for (int i = 0; i < around; ++i)
-        cell(part, {round(profile[k], i, around, rx, ry), round(profile[k], i + 1, around, rx, ry),
-                    round(profile[k + 1], i + 1, around, rx, ry), round(profile[k + 1], i, around, rx, ry)});
+      for (int i = 0; i < around; ++i) cell(part, {at(k, i), at(k, i + 1), at(k + 1, i + 1), at(k + 1, i)});
   }
   /// A level disk, seen from above, or from below.
   void lid(int part, double z, double radius, double rx, double ry, bool above) {
@@ -218,17 +217,8 @@ std::vector<Vec2d> round_profile(int steps, double from, double to, double heigh
 }
 
 void cut(Cutter& to, const Sphere<double>& sphere) {
-  const int around = to.sides(sphere.radius);
-  std::vector<Vec2d> profile = round_profile(around / 2, -std::numbers::pi / 2, std::numbers::pi / 2, sphere.radius);
-  for (std::size_t k = 0; k + 1 < profile.size() && !to.too_many(); ++k)
-    for (int i = 0; i < around; ++i) {
-      const auto at = [&](const Vec2d& p, int j) {
-        if (p.x == 0) return sphere.centre + Vec3d(0, 0, p.y);
-        const auto [sine, cosine] = portable::sin_cos(2 * std::numbers::pi * (j % around) / around);
-        return sphere.centre + Vec3d(sphere.radius * p.x * cosine, sphere.radius * p.x * sine, p.y);
-      };
-      to.cell(0, {at(profile[k], i), at(profile[k], i + 1), at(profile[k + 1], i + 1), at(profile[k + 1], i)});
-    }
+  const double pole = std::numbers::pi / 2, radius = sphere.radius;
+  to.swept(0, round_profile(to.sides(radius) / 2, -pole, pole, radius), radius, radius, sphere.centre);
 }
 
 /// Squared radius of the wall at a height; negative: none.

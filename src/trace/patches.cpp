@@ -1,6 +1,7 @@
 #include "trace/patches.h"
 
 #include "trace/patch_cutter.h"
+#include "trace/surface_vertex.h"
 
 #include <fmt/format.h>
 
@@ -165,12 +166,7 @@ Patches::Patches(const Scene& scene, const PatchSettings& settings, const Stop& 
     const SurfacePoint<double> at{patch.centre, patch.normal};
     patch.face = static_cast<int>(i);
     patch.emission = cosines() * surface.emission;
-    patch.reflectance = surface.diffuse;
-    if (surface.checker) {
-      const bool even = even_square(primitives.uv_at(patch.primitive, at, patch.part), surface.checker->size);
-      patch.reflectance *= even ? surface.checker->even : surface.checker->odd;
-    }
-    if (surface.texture) patch.reflectance *= surface.texture->at(primitives.uv_at(patch.primitive, at, patch.part));
+    patch.reflectance = textured(surface.diffuse, world, patch.primitive, at, patch.part);
     Polygon<double> polygon;
     polygon.outline.assign(patch.corner.begin(), patch.corner.begin() + patch.corners);
     pieces.add(Shape<double>(std::move(polygon)));

@@ -108,10 +108,7 @@ Statistics PhotonKernel<T>::send_pass(int pass, const Stop& stop, const RunAll& 
     }
     if (sent) sent(range.end - range.begin);
   };
-  if (run_all)
-    run_all(chunks, body);
-  else
-    for (int i = 0; i < chunks; ++i) body(i);
+  for_all(run_all, chunks, body);
   if (stopped) throw Stopped{};
   std::vector<Photon> caustic, other;
   Statistics statistics;

@@ -28,11 +28,7 @@ const std::vector<FormFactors::Entry>& FormFactors::row(int patch, const RunAll&
       }
     }
   };
-  const int chunks = (count + chunk - 1) / chunk;
-  if (run_all)
-    run_all(chunks, fill);
-  else
-    for (int i = 0; i < chunks; ++i) fill(i);
+  for_all(run_all, (count + chunk - 1) / chunk, fill);
   stop.check();
   row.entries = std::move(entries);
   row.entries.shrink_to_fit();

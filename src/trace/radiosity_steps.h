@@ -1,6 +1,7 @@
 #pragma once
 // What the statements of trace/radiosity.h do. Included by it alone.
 
+#include "trace/flat_ray.h"
 #include "trace/radiosity.h"
 #include "trace/representable.h"
 #include "trace/tracer.h"
@@ -30,10 +31,7 @@ void RadiosityTracer<Policy>::light_patches() {
     own.irradiance = patches_.light_of_lamps(patch);
     own.unshot = patches_[patch].emission + patches_[patch].reflectance * own.irradiance;
   };
-  if (shooting_->run_all)
-    shooting_->run_all(patches_.size(), light);
-  else
-    for (int patch = 0; patch < patches_.size(); ++patch) light(patch);
+  for_all(shooting_->run_all, patches_.size(), light);
   stop_.check();
   for (int patch = 0; patch < patches_.size(); ++patch) state_.first += power_of(patch);
   state_.unshot = state_.first;
@@ -153,11 +151,7 @@ void RadiosityTracer<Policy>::begin(const Pixel& pixel) {
 template <class Policy>
 auto RadiosityTracer<Policy>::form_primary_ray(const Pixel& pixel) -> EyeRay {
   raywalk::Ray<T> ray = camera_.primary_ray(pixel, pixel_draws_, statistics_);
-  if (settings_.patches.flat) {
-    // Samples are spread over the height of the pixel too, where a flat world is the same.
-    ray.origin.z = ray.direction.z = 0;
-    ray.direction = normalize(ray.direction);
-  }
+  if (settings_.patches.flat) ray = flattened(ray);
   const EyeRay primary{Ray{ray}, Rgb<T>(1), 1, rays_formed_++};
   ++statistics_.formed(RayKind::primary);
   note(Line::radiosity_form_primary_ray, [&] {
