@@ -112,10 +112,14 @@ Result<std::vector<Trial>> measured(const Experiment& experiment, const StudyOpt
   std::set<int> done;
   for (const Trial& trial : trials) done.insert(trial.round);
   std::vector<int> left;
-  for (int round = 0; round < experiment.rounds; ++round)
-    if (is_wanted(round, options) && done.count(round) == 0) left.push_back(round);
-  const double weight = experiment.weight / experiment.rounds;
-  clock.skip(weight * static_cast<double>(experiment.rounds - static_cast<int>(left.size())));
+  std::size_t wanted = 0;
+  for (int round = 0; round < experiment.rounds; ++round) {
+    if (!is_wanted(round, options)) continue;
+    ++wanted;
+    if (done.count(round) == 0) left.push_back(round);
+  }
+  const double weight = experiment.weight / static_cast<double>(std::max(wanted, std::size_t{1}));
+  clock.skip(left.empty() ? experiment.weight : weight * static_cast<double>(done.size()));
   if (left.empty()) {
     // From parts: as one table.
     if (!options.share && !part_tables(experiment, options).empty())
