@@ -121,9 +121,10 @@ class SamplePairs {
   Strata::Order order_;
 };
 
-/// A single pair.
+/// A single pair. Always inlined: otherwise it would depend on what else a kernel's file holds.
 template <class T>
-[[nodiscard]] Vec2<T> draw_pair(Sampler sampler, const RandomKey& key, const Strata& strata) {
+[[nodiscard, gnu::always_inline]] inline Vec2<T> draw_pair(Sampler sampler, const RandomKey& key,
+                                                           const Strata& strata) {
   return SamplePairs(sampler, key, strata).draw<T>(key.sample);
 }
 

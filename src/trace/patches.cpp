@@ -166,7 +166,8 @@ Patches::Patches(const Scene& scene, const PatchSettings& settings, const Stop& 
     const SurfacePoint<double> at{patch.centre, patch.normal};
     patch.face = static_cast<int>(i);
     patch.emission = cosines() * surface.emission;
-    patch.reflectance = textured(surface.diffuse, world, patch.primitive, at, patch.part);
+    patch.reflectance = surface.diffuse;
+    texture(patch.reflectance, surface, primitives, patch.primitive, at, patch.part);
     Polygon<double> polygon;
     polygon.outline.assign(patch.corner.begin(), patch.corner.begin() + patch.corners);
     pieces.add(Shape<double>(std::move(polygon)));

@@ -50,16 +50,17 @@ struct SurfaceVertex {
   Bsdf<T> bsdf;
 };
 
-/// A colour of the surface, such as its diffuse one, times what checker and texture have at a point.
+/// Multiplies a colour of the surface, such as its diffuse one, by what checker and texture have at a point.
+/// Inlined, for each hit of a path asks it.
 template <class T>
-[[nodiscard]] Rgb<T> textured(Rgb<T> colour, const World<T>& world, int primitive, const SurfacePoint<T>& point,
-                              int part, T time = 0) {
-  const auto& surface = world.surface(primitive);
-  const auto uv = [&] { return world.accelerator.primitives().uv_at(primitive, point, part, time); };
-  if (surface.checker)
-    colour *= even_square(uv(), surface.checker->size) ? surface.checker->even : surface.checker->odd;
-  if (surface.texture) colour *= surface.texture->at(uv());
-  return colour;
+[[gnu::always_inline]] inline void texture(Rgb<T>& colour, const typename World<T>::Surface& surface,
+                                           const Primitives<T>& primitives, int primitive, const SurfacePoint<T>& point,
+                                           int part, T time = 0) {
+  if (surface.checker) {
+    const bool even = even_square(primitives.uv_at(primitive, point, part, time), surface.checker->size);
+    colour *= even ? surface.checker->even : surface.checker->odd;
+  }
+  if (surface.texture) colour *= surface.texture->at(primitives.uv_at(primitive, point, part, time));
 }
 
 /// `AnyRay`: a ray with its number, length, throughput and medium. `nested`: the media where bodies nest.
@@ -99,7 +100,8 @@ SurfaceVertex<T> prepare_vertex(const World<T>& world, [[maybe_unused]] Nested& 
   if (const auto smooth = primitives.smooth_normal(hit.primitive, point, at.time))
     bsdf.shading_normal =
         consistent_shading_normal(ray.ray.direction, bsdf.geometric_normal, at.entering ? *smooth : -*smooth);
-  bsdf.diffuse = textured(surface.diffuse, world, hit.primitive, point, hit.part, at.time);
+  bsdf.diffuse = surface.diffuse;
+  texture(bsdf.diffuse, surface, primitives, hit.primitive, point, hit.part, at.time);
   at.specular = surface.specular;
   if (!is_black(surface.specular)) {
     bsdf.shininess = surface.shininess;
