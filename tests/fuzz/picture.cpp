@@ -16,11 +16,14 @@ using namespace raywalk;
 
 namespace {
 
-/// What would only take long: many rays a pixel, many bodies.
+/// What would only take long: many rays a pixel, many bodies, many photons and patches.
 void keep_small(Scene& scene) {
   scene.render.samples = std::min(scene.render.samples, 2);
   scene.render.light_grid = 1;
   scene.render.path_length = std::min(scene.render.path_length.value_or(6), 6);
+  scene.render.photons.count = std::min(scene.render.photons.count, 300);
+  scene.render.radiosity.patch.reset();
+  scene.render.radiosity.shots = std::min(scene.render.radiosity.shots, 2);
   scene.limits.depth = std::min(scene.limits.depth, 4);
 }
 
