@@ -70,7 +70,7 @@ void add_square(std::vector<Trial>& trials, int round, int pieces, double refere
   settings.patches.flat = true;
   settings.tolerance = 0;
   const RadiosityState state = shoot_light(factors, settings, {}, stop);
-  const PatchIrradiance irradiance(patches, state.lights);
+  const PatchIrradiance irradiance(factors, state.lights);
   constexpr int points = 40;
   double squares = 0;
   for (int i = 0; i < points; ++i) {

@@ -138,6 +138,17 @@ double exchange_area(std::span<const Vec3d> first, std::span<const Vec3d> second
   return std::max(sum / (2 * std::numbers::pi), 0.0);
 }
 
+double point_factor(const Vec3d& point, const Vec3d& normal, std::span<const Vec3d> corners) {
+  const std::vector<Vec3d> seen = clipped(corners, point, normal);
+  double sum = 0;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const Vec3d a = seen[i] - point, b = seen[(i + 1) % seen.size()] - point, across = cross(a, b);
+    const double sine = length(across);
+    if (sine > 0) sum += portable::atan2(sine, dot(a, b)) * dot(across, normal) / sine;
+  }
+  return std::abs(sum) / (2 * std::numbers::pi);
+}
+
 Strings strings_between(const Edge& first, const Edge& second) {
   const std::optional<Edge> one = clipped(first, second), other = clipped(second, first);
   if (!one || !other) return {first, second, 0, 0};

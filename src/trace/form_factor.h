@@ -26,6 +26,11 @@ namespace raywalk {
 [[nodiscard]] double exchange_area(std::span<const Vec3d> first, std::span<const Vec3d> second,
                                    double tolerance = 1e-6);
 
+/// The factor from a point of a surface to a convex, flat polygon whose light it sees whole: in closed form, by the
+/// angles that the edges subtend (J. H. Lambert, "Photometria", 1760). What lies behind the surface is cut off.
+/// `normal`: of unit length.
+[[nodiscard]] double point_factor(const Vec3d& point, const Vec3d& normal, std::span<const Vec3d> corners);
+
 /// A straight edge of the plan. Light leaves it to the left of the way from `a` to `b`.
 struct Edge {
   Vec2d a, b;

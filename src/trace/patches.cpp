@@ -50,8 +50,8 @@ bool in_front(const Patch& of, const Vec3d& point) {
   return dot(offset, of.normal) > nothing * length(offset);
 }
 
-/// The value that a point of a flat convex polygon has of each of its corners: its mean value coordinates (M. Floater,
-/// 2003), which are linear along edges.
+}  // namespace
+
 std::array<double, 4> mean_value_weights(const Patch& patch, const Vec3d& point) {
   std::array<double, 4> weights{};
   const auto count = static_cast<std::size_t>(patch.corners);
@@ -91,7 +91,6 @@ std::array<double, 4> mean_value_weights(const Patch& patch, const Vec3d& point)
   return weights;
 }
 
-/// How far inside the polygon's edges a point lies, seen along its normal; negative outside.
 double inside_by(const Patch& patch, const Vec3d& point) {
   double least = infinity<double>;
   for (int i = 0; i < patch.corners; ++i) {
@@ -102,8 +101,6 @@ double inside_by(const Patch& patch, const Vec3d& point) {
   }
   return least;
 }
-
-}  // namespace
 
 std::optional<Error> why_no_patches(const Scene& scene, const Stop& stop) {
   std::optional<Error> error;
@@ -317,33 +314,85 @@ double Patches::visible_share(const Patch& a, const Patch& b, int points) const 
   return all > 0 ? seen == all ? 1 : seen / all : 1;
 }
 
+Patches::LampLight Patches::light_of(const World<double>::Light& light, const Patch& patch, const Vec3d& at,
+                                     int grid) const {
+  // In a flat world an area light is its middle.
+  if (flat_ || light.reach == 0 || light.is_distant) grid = 1;
+  LampLight found;
+  int hidden = 0, reaching = 0;
+  TestCounts uncounted;
+  for (int k = 0; k < grid * grid; ++k) {
+    const Vec3d from = grid == 1 ? light.place : light.sample(Vec2d((k % grid + 0.5) / grid, (k / grid + 0.5) / grid));
+    const Vec3d to_light = light.direction_to(from, at);
+    if (!(dot(patch.normal, to_light) > 0) || !light.shines_along(to_light)) continue;
+    if (occluders_->occluded(Ray<double>{at, to_light, Departure{patch.face, 0}, 0}, light.t_far(), uncounted)) {
+      ++hidden;
+      continue;
+    }
+    ++reaching;
+    const double distance = light.distance(to_light);
+    const Vec3d l = to_light / distance;
+    found.irradiance +=
+        light.strength * (light.falloff(l) * dot(patch.normal, l) / light.attenuation(distance) / (grid * grid));
+  }
+  found.irradiance *= cosines();
+  found.partly_hidden = hidden > 0 && reaching > 0;
+  return found;
+}
+
 Rgbd Patches::light_of_lamps(int index) const {
   Rgbd sum(0.0);
   if (!world_) return sum;
   const Patch& patch = (*this)[index];
   const int points = flat_ ? 16 : 3, count = flat_ ? points : points * points;
-  TestCounts uncounted;
-  for (const World<double>::Light& light : world_->lights) {
-    // An area light is as many points of it; in a flat world its middle.
-    const int grid = flat_ || light.reach == 0 || light.is_distant ? 1 : 3;
-    for (int k = 0; k < count * grid * grid; ++k) {
-      const int on_patch = k % count, on_light = k / count;
-      const Vec3d at = flat_ ? point_on(patch, (on_patch + 0.5) / points, 0)
-                             : point_on(patch, (on_patch % points + 0.5) / points, (on_patch / points + 0.5) / points);
-      const Vec3d from =
-          grid == 1 ? light.place : light.sample(Vec2d((on_light % grid + 0.5) / grid, (on_light / grid + 0.5) / grid));
-      const Vec3d to_light = light.direction_to(from, at);
-      const double cosine = dot(patch.normal, to_light);
-      if (!(cosine > 0) || !light.shines_along(to_light)) continue;
-      if (occluders_->occluded(Ray<double>{at, to_light, Departure{patch.face, 0}, 0}, light.t_far(), uncounted))
-        continue;
-      const double distance = light.distance(to_light);
-      const Vec3d l = to_light / distance;
-      sum += light.strength *
-             (light.falloff(l) * dot(patch.normal, l) / light.attenuation(distance) / (count * grid * grid));
+  for (const World<double>::Light& light : world_->lights)
+    for (int k = 0; k < count; ++k) {
+      const Vec3d at = flat_ ? point_on(patch, (k + 0.5) / points, 0)
+                             : point_on(patch, (k % points + 0.5) / points, (k / points + 0.5) / points);
+      sum += light_of(light, patch, at, 3).irradiance / static_cast<double>(count);
     }
+  return sum;
+}
+
+double Patches::visible_share(const Patch& patch, const Vec3d& at, const Patch& source, int points) const {
+  double seen = 0, all = 0;
+  for (int k = 0; k < points * points; ++k) {
+    const Vec3d from = point_on(source, (k % points + 0.5) / points, (k / points + 0.5) / points), way = from - at;
+    const double here = dot(way, patch.normal), there = -dot(way, source.normal), square = dot(way, way);
+    if (!(here > 0 && there > 0)) continue;
+    const double weight = here * there / (square * square);
+    all += weight;
+    if (sees(patch, at, source, from)) seen += weight;
   }
-  return cosines() * sum;
+  return all > 0 ? seen == all ? 1 : seen / all : 1;
+}
+
+Rgbd Patches::straight_light(int index, const Vec3d& at, const std::vector<int>& sources) const {
+  constexpr int few = 2, many = 6;  // rays along each side of a light: many where it is partly hidden
+  const Patch& patch = (*this)[index];
+  Rgbd sum(0.0);
+  for (const int id : sources) {
+    const Patch& source = (*this)[id];
+    if (source.face == patch.face || !in_front(source, at)) continue;
+    const double factor = point_factor(at, patch.normal, source.outline());
+    if (!(factor > 0)) continue;
+    double visible = visible_share(patch, at, source, few);
+    if (visible > 0 && visible < 1) visible = visible_share(patch, at, source, many);
+    sum += factor * visible * source.emission;
+  }
+  for (const World<double>::Light& light : world_->lights) {
+    LampLight found = light_of(light, patch, at, few);
+    if (found.partly_hidden) found = light_of(light, patch, at, many);
+    sum += found.irradiance;
+  }
+  return sum;
+}
+
+bool Patches::is_in_flat_surface(int patch) const {
+  for (const std::vector<int>& corner : about_[static_cast<std::size_t>(patch)])
+    for (const int each : corner)
+      if (!(dot((*this)[each].normal, (*this)[patch].normal) > 1 - nothing)) return false;
+  return true;
 }
 
 Patches::Place Patches::place_of(int primitive, const Vec3d& position, const Vec3d& normal) const {
@@ -374,6 +423,7 @@ Patches::Place Patches::place_of(int primitive, const Vec3d& position, const Vec
     on = patch.centre +
          (on - patch.centre) * (inside_by(patch, patch.centre) / (inside_by(patch, patch.centre) - depth));
   place.weights = mean_value_weights(patch, on);
+  place.point = on;
   return place;
 }
 

@@ -49,6 +49,12 @@ struct Patch {
   }
 };
 
+/// The value that a point of a flat convex polygon has of each of its corners: its mean value coordinates (M. Floater,
+/// 2003), which are linear along edges.
+[[nodiscard]] std::array<double, 4> mean_value_weights(const Patch& patch, const Vec3d& point);
+/// How far inside the polygon's edges a point lies, seen along its normal; negative outside.
+[[nodiscard]] double inside_by(const Patch& patch, const Vec3d& point);
+
 /// What one patch sees of another one.
 struct Exchange {
   double area = 0;     ///< A1 F12 as if nothing stood between
@@ -93,11 +99,17 @@ class Patches {
   [[nodiscard]] Exchange exchange(int a, int b) const;
   /// What arrives from the lights of the scene, averaged over the patch: an irradiance.
   [[nodiscard]] Rgbd light_of_lamps(int patch) const;
+  /// What arrives at a point of a patch straight from the lights of the scene and from the patches `sources`, which
+  /// emit: an irradiance. In space.
+  [[nodiscard]] Rgbd straight_light(int patch, const Vec3d& at, const std::vector<int>& sources) const;
+  /// Whether the patches about it lie in its plane.
+  [[nodiscard]] bool is_in_flat_surface(int patch) const;
 
   /// A place on a surface, between patches.
   struct Place {
     int patch = -1;                   ///< -1: none is there
     std::array<double, 4> weights{};  ///< of its corners
+    Vec3d point{0.0};                 ///< of the patch; in space
   };
   /// `normal`: of the side that is seen.
   [[nodiscard]] Place place_of(int primitive, const Vec3d& position, const Vec3d& normal) const;
@@ -109,6 +121,16 @@ class Patches {
  private:
   void find_neighbours();
   [[nodiscard]] double visible_share(const Patch& a, const Patch& b, int points) const;
+  /// Of a source, seen from a point of a patch: by `points` x `points` rays, each as important as its light.
+  [[nodiscard]] double visible_share(const Patch& patch, const Vec3d& at, const Patch& source, int points) const;
+  /// What arrives at a point of a patch from a light, an area light by `grid` x `grid` points of it; and whether some
+  /// of these are hidden, but not all.
+  struct LampLight {
+    Rgbd irradiance{0.0};
+    bool partly_hidden = false;
+  };
+  [[nodiscard]] LampLight light_of(const World<double>::Light& light, const Patch& patch, const Vec3d& at,
+                                   int grid) const;
   [[nodiscard]] bool sees(const Patch& from, const Vec3d& a, const Patch& to, const Vec3d& b) const;
   [[nodiscard]] Vec3d point_on(const Patch& patch, double u, double v) const;
 

@@ -34,7 +34,7 @@ void RadiosityKernel<T>::solve(const Stop& stop, const Shooting& shooting) {
   patches_ = std::make_shared<const Patches>(scene_, settings_.patches, stop);
   factors_ = std::make_unique<FormFactors>(*patches_);
   state_ = shoot_light(*factors_, settings_, shooting, stop);
-  irradiance_ = PatchIrradiance(*patches_, state_.lights);
+  irradiance_ = PatchIrradiance(*factors_, state_.lights, shooting.run_all, stop);
   solved_ = true;
 }
 

@@ -36,9 +36,34 @@ const std::vector<FormFactors::Entry>& FormFactors::row(int patch, const RunAll&
   return row.entries;
 }
 
-PatchIrradiance::PatchIrradiance(const Patches& patches, const std::vector<PatchLight>& lights) {
-  corners_.resize(lights.size());
+PatchIrradiance::PatchIrradiance(FormFactors& factors, const std::vector<PatchLight>& lights, const RunAll& run_all,
+                                 const Stop& stop) {
+  const Patches& patches = factors.patches();
+  std::vector<int> sources;
   for (int patch = 0; patch < patches.size(); ++patch)
+    if (!is_black(patches[patch].emission)) sources.push_back(patch);
+  const bool has_elements = !patches.is_flat() && sources.size() <= most_sources;
+
+  // What reached each patch by way of others.
+  std::vector<Rgbd> bounced(lights.size());
+  if (has_elements) {
+    for (std::size_t i = 0; i < lights.size(); ++i)
+      bounced[i] = lights[i].irradiance - patches.light_of_lamps(static_cast<int>(i));
+    for (const int source : sources)
+      for (const FormFactors::Entry& entry : factors.row(source, run_all, stop))
+        bounced[static_cast<std::size_t>(entry.other)] -=
+            entry.exchange / patches[entry.other].area * patches[source].emission;
+    for (Rgbd& each : bounced)
+      for (int channel = 0; channel < 3; ++channel) each[channel] = std::max(each[channel], 0.0);  // rounding
+  }
+
+  corners_.resize(lights.size());
+  elements_.resize(lights.size());
+  const auto look_at = [&](int patch) {
+    if (stop.asked()) return;
+    const auto index = static_cast<std::size_t>(patch);
+    if (has_elements && patches.is_in_flat_surface(patch))
+      elements_[index] = PatchElements(patches, patch, sources, bounced[index]);
     for (int corner = 0; corner < patches[patch].corners; ++corner) {
       const std::vector<int>& about = patches.about(patch, corner);
       // What no light has reached at all lies under something, and does not darken what lies beside it.
@@ -46,19 +71,22 @@ PatchIrradiance::PatchIrradiance(const Patches& patches, const std::vector<Patch
       int lit = 0;
       for (const int each : about) {
         const Rgbd& irradiance = lights[static_cast<std::size_t>(each)].irradiance;
-        sum += irradiance;
+        sum += elements_[index].empty() ? irradiance : bounced[static_cast<std::size_t>(each)];
         lit += is_black(irradiance) ? 0 : 1;
       }
-      corners_[static_cast<std::size_t>(patch)][static_cast<std::size_t>(corner)] =
-          sum / static_cast<double>(std::max(lit, 1));
+      corners_[index][static_cast<std::size_t>(corner)] = sum / static_cast<double>(std::max(lit, 1));
     }
+  };
+  for_all(run_all, patches.size(), look_at);
+  stop.check();
 }
 
 Rgbd PatchIrradiance::at(const Patches::Place& place) const {
   Rgbd sum(0.0);
   if (place.patch < 0 || corners_.empty()) return sum;
-  const auto& corners = corners_[static_cast<std::size_t>(place.patch)];
-  for (std::size_t i = 0; i < corners.size(); ++i) sum += place.weights[i] * corners[i];
+  const auto index = static_cast<std::size_t>(place.patch);
+  for (std::size_t i = 0; i < corners_[index].size(); ++i) sum += place.weights[i] * corners_[index][i];
+  if (!elements_[index].empty()) sum += elements_[index].straight_light_at(place.point);
   return sum;
 }
 

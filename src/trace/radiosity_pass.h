@@ -2,6 +2,7 @@
 // What is to be known of radiosity without the procedure that shoots light (trace/radiosity.h).
 
 #include "trace/event.h"
+#include "trace/patch_elements.h"
 #include "trace/patches.h"
 #include "trace/run_all.h"
 
@@ -58,16 +59,22 @@ struct Shooting {
   int walked = 0, single = 0;
 };
 
-/// The light at any place: between the corners of patches, each with the mean of the patches about it.
+/// The light at any place: between the corners of patches, each with the mean of the patches about it. In space, what
+/// comes straight to flat surfaces has elements of its own (trace/patch_elements.h), unless more than `most_sources`
+/// patches emit: then its shadows are as soft as patches are large.
 class PatchIrradiance {
  public:
   PatchIrradiance() = default;
-  PatchIrradiance(const Patches& patches, const std::vector<PatchLight>& lights);
+  PatchIrradiance(FormFactors& factors, const std::vector<PatchLight>& lights, const RunAll& run_all = {},
+                  const Stop& stop = {});
   /// `normal`: of the side that is seen. Black where no patch is.
   [[nodiscard]] Rgbd at(const Patches::Place& place) const;
 
+  static constexpr std::size_t most_sources = 64;
+
  private:
-  std::vector<std::array<Rgbd, 4>> corners_;
+  std::vector<std::array<Rgbd, 4>> corners_;  ///< without what elements have
+  std::vector<PatchElements> elements_;       ///< by patch; empty ones for those that have none
 };
 
 }  // namespace raywalk

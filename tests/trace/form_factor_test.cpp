@@ -123,3 +123,25 @@ TEST_CASE("crossed strings give the factors of the square in the plane") {
   CHECK(std::abs(strings_between(bottom, {{1, -5}, {1, 1}}).exchange_length() -
                  strings_between(bottom, right).exchange_length()) < 1e-12);
 }
+
+TEST_CASE("the factor from a point to a polygon is Lambert's, and its mean over a surface is the exchange") {
+  const double pi = std::numbers::pi;
+  // Under a corner of a rectangle, J. Howell, "A Catalog of Radiation Heat Transfer Configuration Factors", B-3.
+  const double a = 0.7, b = 1.9, c = 0.4;
+  const double x = a / c, y = b / c, rx = std::sqrt(1 + x * x), ry = std::sqrt(1 + y * y);
+  const double corner = (x / rx * std::atan(y / rx) + y / ry * std::atan(x / ry)) / (2 * pi);
+  const Quad above = {{0, 0, c}, {0, b, c}, {a, b, c}, {a, 0, c}};
+  CHECK(point_factor({0, 0, 0}, {0, 0, 1}, above) == Approx(corner).epsilon(1e-13));
+  // What lies behind the surface is cut off.
+  const Quad wall = {{1, -1, -1}, {1, -1, 1}, {1, 1, 1}, {1, 1, -1}},
+             upper = {{1, -1, 0}, {1, -1, 1}, {1, 1, 1}, {1, 1, 0}};
+  CHECK(point_factor({0, 0, 0}, {0, 0, 1}, wall) == Approx(point_factor({0, 0, 0}, {0, 0, 1}, upper)).epsilon(1e-13));
+  CHECK(point_factor({0, 0, 0}, {-1, 0, 0}, wall) == 0);
+
+  const std::vector<Quad> cube = inside_of({1, 1, 1});
+  constexpr int points = 100;
+  double mean = 0;
+  for (int i = 0; i < points * points; ++i)
+    mean += point_factor({(i % points + 0.5) / points, (i / points + 0.5) / points, 0}, {0, 0, 1}, cube[1]);
+  CHECK(mean / (points * points) == Approx(exchange_area(cube[0], cube[1])).epsilon(1e-4));
+}

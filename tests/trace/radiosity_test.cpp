@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "support/catch.h"
+#include "support/effort.h"
 #include "trace/photon_scenes.h"
 
 using namespace raywalk;
@@ -288,6 +289,38 @@ TEST_CASE("in a furnace every pixel is E / (1 - rho), in the plane and in space,
   static_cast<void>(kernel(RayGenerator<float>(furnace, {3, 3}, {3, 3}), PixelBlock{0, 3, 0, 3}, put));
 }
 
+TEST_CASE("shadows have edges inside of patches") {
+  // A floor of four patches under a shade and a small lamp: everything else is black.
+  const Scene scene = of(
+      {{"Floor", Polygon<double>{{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, {}}, matt(0.5)},
+       {"Shade", Polygon<double>{{{-0.3, -0.3, 0.5}, {0.3, -0.3, 0.5}, {0.3, 0.3, 0.5}, {-0.3, 0.3, 0.5}}, {}},
+        matt(0)},
+       {"Lamp", Polygon<double>{{{-0.1, -0.1, 2}, {-0.1, 0.1, 2}, {0.1, 0.1, 2}, {0.1, -0.1, 2}}, {}}, matt(0, 50)}});
+  const Patches patches(scene, PatchSettings{1 + 1e-9});
+  FormFactors factors(patches);
+  RadiositySettings settings;
+  const RadiosityState state = shoot_light(factors, settings);
+  const PatchIrradiance irradiance(factors, state.lights);
+  std::vector<int> sources;
+  for (int i = 0; i < patches.size(); ++i)
+    if (!is_black(patches[i].emission)) sources.push_back(i);
+  double squares = 0, most = 0;
+  int dark = 0, count = 0;
+  constexpr int points = 40;
+  for (int i = 0; i < points * points; ++i) {
+    const Vec3d at(2 * (i % points + 0.5) / points - 1, 2 * (i / points + 0.5) / points - 1, 0);
+    const Patches::Place place = patches.place_of(0, at, {0, 0, 1});
+    REQUIRE(place.patch >= 0);
+    const double truth = patches.straight_light(place.patch, at, sources).x, found = irradiance.at(place).x;
+    squares += (found - truth) * (found - truth), most = std::max(most, truth);
+    dark += found < 0.01 * most ? 1 : 0, ++count;
+  }
+  // The penumbra is as wide as the smallest elements. Between the corners of patches the error would be 0.3.
+  CHECK(std::sqrt(squares / count) < 0.06 * most);
+  // The umbra is the square of 0.7333 that no point of the lamp is seen from.
+  CHECK(4.0 * dark / count == Approx(0.7333 * 0.7333).epsilon(0.25));
+}
+
 TEST_CASE("shots run in threads or not, with the same bits") {
   Scene scene = of({{"Room", Box<double>{{-2, -1, -1}, {2, 1, 1}}, matt(0.6)},
                     {"Lamp", Sphere<double>{{0.5, 0, 0}, 0.3}, matt(0, 3)}});
@@ -340,7 +373,7 @@ TEST_CASE("radiosity and paths agree in a room of matt walls, a block and a lamp
   room.camera.screen = {1, 2, 8};
   Scene paths = room;
   paths.render.integrator = Integrator::path;
-  room.render.radiosity.patch = 0.2;
+  room.render.radiosity.patch = sanitized ? 0.25 : 0.2;
   const double by_patches = mean_of_pictures(room, 16, 16, 4, 2).mean;
   const Means by_paths = mean_of_pictures(paths, 16, 16, 16, 8);
   CAPTURE(by_patches, by_paths.mean, by_paths.error);
