@@ -48,9 +48,17 @@ std::string picture_of(const std::string& folder, const std::string& scene) {
   return scene.empty() ? std::string() : (fs::path(folder) / "pictures" / (scene + ".png")).string();
 }
 
-// Of a shipped scene in the window's language, else what its file says.
+// Of a shipped scene in the window's language, else of its file's name.
+std::string title_of(const State& state, const std::string& scene) {
+  if (const std::string* known = gallery_text(state, scene, "title")) return *known;
+  std::string title = scene;
+  std::replace(title.begin(), title.end(), '_', ' ');
+  return title;
+}
+
+// The same, else what its file says.
 std::string sentence_of(const State& state, const std::string& scene, const std::string& path) {
-  if (const std::string* known = state.appearance.language.catalogue().find("gallery." + scene)) return *known;
+  if (const std::string* known = gallery_text(state, scene, "sentence")) return *known;
   const Result<SceneDocument> document = read_scene(path);
   return !document                             ? std::string()
          : document->scene.description.empty() ? document->scene.title
@@ -64,10 +72,8 @@ std::vector<GalleryCard> scene_cards(const State& state) {
   std::vector<GalleryCard> cards{{"scene-new", say("scene.new_title"), say("files.new_scene"), {}, {}, {}, false}};
   for (const std::string& scene : shipped_names(state)) {
     const std::string path = shipped_path(state, scene);
-    std::string title = scene;
-    std::replace(title.begin(), title.end(), '_', ' ');
     cards.push_back({"scene/" + scene,
-                     title,
+                     title_of(state, scene),
                      sentence_of(state, scene, path),
                      picture_of(state.lessons.scenes_folder, scene),
                      path,
@@ -76,7 +82,7 @@ std::vector<GalleryCard> scene_cards(const State& state) {
   }
   // The classic scene is where everybody begins.
   const auto classic =
-      std::find_if(cards.begin(), cards.end(), [](const GalleryCard& card) { return card.title == "classic"; });
+      std::find_if(cards.begin(), cards.end(), [](const GalleryCard& card) { return card.name == "scene/classic"; });
   if (classic != cards.end()) std::rotate(cards.begin() + 1, classic, classic + 1);
   return cards;
 }

@@ -5,38 +5,59 @@
 #include "gui/widgets.h"
 
 #include <algorithm>
+#include <array>
 
 namespace raywalk {
+
+namespace {
+
+struct PaletteButton {
+  const Command* command;
+  ButtonLook look;
+};
+
+std::vector<PaletteButton> palette_buttons() {
+  // In the order of the rows in document.cpp.
+  constexpr std::array kinds{action::ObjectKind::solid_sphere, action::ObjectKind::transparent_sphere,
+                             action::ObjectKind::polygon, action::ObjectKind::light};
+  const std::vector<const Command*>& adds = commands_in(Section::add);
+  std::vector<PaletteButton> buttons;
+  for (std::size_t i = 0; i < adds.size(); ++i)
+    buttons.push_back({adds[i], {.look = Look::plain, .pictogram = kinds.at(i)}});
+  buttons.push_back({&command("remove"), {.look = Look::flat, .icon = Icon::bin}});
+  return buttons;
+}
+
+}  // namespace
 
 void palette_pane(const Ui& ui, const Rect& where) {
   const Pane pane(ui, "palette", where, ui.colours.window, {0, 0}, ImGuiWindowFlags_NoScrollbar);
   if (!pane) return;
-  const float height = where.height - 2 * ui.px(6);
-  ImGui::SetCursorScreenPos({where.x + ui.px(10), where.y + ui.px(6)});
-  const std::vector<const Command*>& adds = commands_in(Section::add);
-  const Command& removes = command("remove");
-  ButtonLook add{.look = Look::plain, .icon = Icon::plus, .font = nullptr, .label = true};
-  ButtonLook remove{.look = Look::flat, .icon = Icon::minus, .font = nullptr, .label = true};
+  const float margin = ui.px(10), height = where.height - 2 * ui.px(6);
+  std::vector<PaletteButton> buttons = palette_buttons();
+  const float gap = ImGui::GetStyle().ItemSpacing.x;
   bool in_short = false;
-  const auto word = [&](const Command& each) { return command_label(each, ui.state, in_short); };
+  const auto word = [&](const PaletteButton& each) { return command_label(*each.command, ui.state, in_short); };
   const auto width = [&] {
-    float sum = button_width(ui, word(removes), remove) + ui.px(20);
-    for (const Command* each : adds) sum += button_width(ui, word(*each), add) + ImGui::GetStyle().ItemSpacing.x;
+    float sum = 2 * margin - gap;
+    for (const PaletteButton& each : buttons) sum += button_width(ui, word(each), each.look) + gap;
     return sum;
   };
-  // In a narrow window first the letters shrink, then the words, then the icons go, then the space beside the words.
-  if (width() > where.width) add.font = remove.font = ui.fonts.small;
-  if (width() > where.width) in_short = true;
-  if (width() > where.width) add.icon = remove.icon = Icon::none;
-  const float less = std::max(width() - where.width, 0.0f) / static_cast<float>(adds.size() + 1);
-  const auto narrowed = [&](const Command& each, const ButtonLook& look) {
-    return ImVec2{std::max(button_width(ui, word(each), look) - less, 1.0f), height};
+  const auto change = [&](auto what) {
+    if (width() > where.width)
+      for (PaletteButton& each : buttons) what(each.look);
   };
-  for (const Command* each : adds) {
-    command_button(ui, *each, narrowed(*each, add), add, word(*each));
-    ImGui::SameLine();
+  // In a narrow window first the letters shrink, then the words; then pictures stand alone, whose tooltips say more.
+  change([&](ButtonLook& look) { look.font = ui.fonts.small; });
+  in_short = width() > where.width;
+  change([](ButtonLook& look) { look.label = false; });
+  const float less = std::max(width() - where.width, 0.0f) / static_cast<float>(buttons.size());
+  ImGui::SetCursorScreenPos({where.x + margin, where.y + ui.px(6)});
+  for (const PaletteButton& each : buttons) {
+    const float own = std::max(button_width(ui, word(each), each.look) - less, 1.0f);
+    command_button(ui, *each.command, {own, height}, each.look, word(each));
+    ImGui::SameLine(0, gap);
   }
-  command_button(ui, removes, narrowed(removes, remove), remove, word(removes));
 }
 
 }  // namespace raywalk

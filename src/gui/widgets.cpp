@@ -1,6 +1,8 @@
 #include "gui/widgets.h"
 
 #include "gui/broken_lines.h"
+#include "gui/painter.h"
+#include "view/plan/pictogram.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +25,8 @@ Metrics measure(const Ui& ui, const std::string& label, const ButtonLook& look) 
   Metrics m;
   if (look.label) m.text = ImGui::CalcTextSize(label.c_str());
   if (look.icon != Icon::none) m.icon = ImGui::GetFontSize() * 0.8f;
-  if (look.icon != Icon::none && look.label) m.gap = ImGui::GetFontSize() * 0.45f;
+  if (look.pictogram) m.icon = ImGui::GetFontSize() * (look.label ? 1.3f : 1.75f);
+  if (m.icon > 0 && look.label) m.gap = ImGui::GetFontSize() * 0.45f;
   pop_font();
   return m;
 }
@@ -215,7 +218,11 @@ bool button(const Ui& ui, std::string_view name, const std::string& label, const
   const ImU32 ink = to_imgui(dim(filled ? shades.on_accent : ui.colours.text));
   const float y = (least.y + most.y) / 2;
   float x = std::round((least.x + most.x - m.width()) / 2);
-  if (look.icon != Icon::none) draw_icon(draw, look.icon, {x + m.icon / 2, y}, m.icon, ink);
+  if (look.pictogram)
+    paint(draw, pictogram(*look.pictogram, ui.state.appearance.theme, m.icon),
+          {x, std::round(y - m.icon / 2), m.icon, m.icon}, 1, ui.fonts);
+  else if (look.icon != Icon::none)
+    draw_icon(draw, look.icon, {x + m.icon / 2, y}, m.icon, ink);
   x += m.icon + m.gap;
   if (look.label) {
     push_font(look.font != nullptr ? look.font : ui.fonts.text);
@@ -228,7 +235,7 @@ bool button(const Ui& ui, std::string_view name, const std::string& label, const
   tooltip(ui, name, hint);
   ui.publish(name);
   // Which should not happen in any language.
-  if (look.label && m.width() > size.x) ui.publish(std::string(name) + "/clipped");
+  if (m.width() > size.x) ui.publish(std::string(name) + "/clipped");
   return pressed;
 }
 

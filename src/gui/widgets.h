@@ -3,6 +3,7 @@
 #include "gui/command.h"
 #include "gui/style.h"
 #include "gui/ui.h"
+#include "view/document/room.h"
 
 #include <optional>
 #include <string>
@@ -48,8 +49,9 @@ enum class Look {
 struct ButtonLook {
   Look look = Look::plain;
   Icon icon = Icon::none;
-  ImFont* font = nullptr;  ///< null: the text font
-  bool label = true;       ///< false: the icon alone
+  ImFont* font = nullptr;                         ///< null: the text font
+  bool label = true;                              ///< false: the icon alone
+  std::optional<action::ObjectKind> pictogram{};  ///< in place of the icon
 };
 
 /// A button for a command: label, tooltip with its key, enabled or not, chosen or not. `size` 0: from the label.

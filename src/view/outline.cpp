@@ -84,8 +84,9 @@ class Outliner {
   void shipped(OutlineItem& region) {
     button(region, "new", say("scene.new_title"), action::New{});
     for (const std::string& name : shipped_names(state_)) {
-      const std::string* sentence = state_.appearance.language.catalogue().find("gallery." + name);
-      button(region, name, sentence == nullptr ? name : name + ": " + *sentence,
+      const std::string *title = gallery_text(state_, name, "title"),
+                        *sentence = gallery_text(state_, name, "sentence");
+      button(region, name, title == nullptr || sentence == nullptr ? name : *title + ": " + *sentence,
              action::Open{shipped_path(state_, name)});
     }
   }

@@ -187,7 +187,8 @@ TEST_CASE("a question and a prompt are in the outline with all their answers") {
   CHECK(state.document.prompt == PathPrompt::none);
   update(state, action::AskNew{});
   CHECK(faults(outline(state)) == "");
-  use(state, Role::button, "mirrors: " + fill("gallery.mirrors", in_english));
+  use(state, Role::button,
+      fill("gallery.mirrors.title", in_english) + ": " + fill("gallery.mirrors.sentence", in_english));
   REQUIRE(state.document.question);  // there is unsaved work
   use(state, Role::button, "Don't save");
   CHECK(state.document.path == shipped_path(state, "mirrors"));

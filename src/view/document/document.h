@@ -41,6 +41,8 @@ bool commit_if_valid(State& state, Scene next, int object, int light, EditMark m
 /// The names of the shipped scenes, in alphabetical order: "classic".
 [[nodiscard]] std::vector<std::string> shipped_names(const State& state);
 [[nodiscard]] std::string shipped_path(const State& state, const std::string& name);
+/// The `title` or `sentence` of one in the window's language; null if nothing is said of it.
+[[nodiscard]] const std::string* gallery_text(const State& state, const std::string& name, std::string_view which);
 
 void show_document(State& state, SceneDocument document, std::string path);
 /// The same once the user's scene is closed, with all that belongs to it.

@@ -99,6 +99,10 @@ std::string shipped_path(const State& state, const std::string& name) {
   return state.lessons.scenes_folder + "/" + name + std::string(scene_file_ending);
 }
 
+const std::string* gallery_text(const State& state, const std::string& name, std::string_view which) {
+  return state.appearance.language.catalogue().find("gallery." + name + "." + std::string(which));
+}
+
 std::vector<std::string> shipped_names(const State& state) {
   std::vector<std::string> names;
   std::error_code failed;

@@ -105,7 +105,16 @@ class BeamPainter {
     const auto middle = [](const std::vector<Vec3d>& points) { return (points.front() + points.back()) / 2.0; };
     const Vec2d from = painter_.pixels(plan(middle(area.starts))), to = painter_.pixels(plan(middle(area.ends)));
     const Vec2d along = to - from, across = length(along) > 0 ? Vec2d(-along.y, along.x) / length(along) : Vec2d(0, -1);
-    painter_.note_beside(painter_.seen_middle(from, to), across.y > 0 ? -across : across,
+    // Where nothing else is.
+    Vec2d at = painter_.seen_middle(from, to);
+    for (const double part : {0.5, 0.65, 0.8, 0.35}) {
+      const Vec2d other = painter_.seen_middle(from + (2 * part - 1) * along, to);
+      const auto holds = [&](const PixelRect& taken) { return taken.meets(other - 0.5, other + 0.5); };
+      if (std::any_of(painter_.kept_free.begin(), painter_.kept_free.end(), holds)) continue;
+      at = other;
+      break;
+    }
+    painter_.note_beside(at, across.y > 0 ? -across : across,
                          number_text(beam(index).coverage, state_.appearance.language));
   }
 

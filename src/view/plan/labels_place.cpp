@@ -101,11 +101,24 @@ struct Distances {
   double own = 0, other = std::numeric_limits<double>::infinity();
 };
 
-Distances distances(const std::vector<DrawnBody>& bodies, const Target& own, const PixelRect& label, double crowded) {
+/// Whether a name may lie on this body: it is its own, or surrounds what is named, like a floor.
+bool is_ground(const Labelled& thing, const DrawnBody& body) {
+  if (body.item.target == thing.body) return true;
+  const Vec2d low = thing.at - thing.half, high = thing.at + thing.half;
+  const Vec2d size = body.box.max - body.box.min, own = high - low;
+  const bool around =
+      body.box.min.x <= low.x && body.box.min.y <= low.y && body.box.max.x >= high.x && body.box.max.y >= high.y;
+  return around && size.x * size.y > 2 * own.x * own.y;
+}
+
+/// `on_ground`: whether what a name may lie on counts too.
+Distances distances(const std::vector<DrawnBody>& bodies, const Labelled& thing, const PixelRect& label, double crowded,
+                    bool on_ground = false) {
   Distances all;
-  if (own) all.own = std::numeric_limits<double>::infinity();
+  if (thing.body) all.own = std::numeric_limits<double>::infinity();
   for (const DrawnBody& body : bodies) {
-    const bool is_own = own && body.item.target == own;
+    const bool is_own = thing.body && body.item.target == thing.body;
+    if (!is_own && !on_ground && is_ground(thing, body)) continue;
     double& least = is_own ? all.own : all.other;
     least = std::min(least, distance_to_box(body, label, is_own ? least : std::min(least, crowded)));
   }
@@ -125,6 +138,12 @@ std::array<Vec2d, 2> line_to(const DrawnBody& body, const Vec2d& middle, const P
     return {from, from + std::min(t + (whole > 0 ? 5 * unit / whole : 0), 1.0) * way};
   }
   return {from, middle};
+}
+
+/// Whether a name needs a leader line to its body: it is far away, or another body is nearly as near.
+bool is_ambiguous(const std::vector<DrawnBody>& bodies, const Labelled& thing, const PixelRect& label, double unit) {
+  const Distances away = distances(bodies, thing, label, 60 * unit, true);
+  return away.own > 14 * unit || away.other <= away.own + 2 * unit;
 }
 
 /// What a name keeps off beside bodies and symbols.
@@ -182,19 +201,10 @@ class Places {
     return most;
   }
 
-  /// Whether a name on its own body may lie on this one too: it is the same, or surrounds it, like a floor.
-  [[nodiscard]] bool is_ground(const DrawnBody& body) const {
-    if (body.item.target == thing_.body) return true;
-    const Vec2d low = thing_.at - thing_.half, high = thing_.at + thing_.half;
-    const Vec2d size = body.box.max - body.box.min, own = high - low;
-    const bool around =
-        body.box.min.x <= low.x && body.box.min.y <= low.y && body.box.max.x >= high.x && body.box.max.y >= high.y;
-    return around && size.x * size.y > 2 * own.x * own.y;
-  }
-
   /// Its area outside of the pane, on symbols and handles, and on other names.
   [[nodiscard]] double blocked_at(const PixelRect& box, double own_area) const {
-    double blocked = own_area - std::min(box.overlap(painter_.pane()), own_area);
+    const PixelRect pane{painter_.pane().min + unit_, painter_.pane().max - unit_};
+    double blocked = own_area - std::min(box.overlap(pane), own_area);
     for (const PixelRect& taken : painter_.kept_free) blocked += box.overlap(taken);
     for (const PixelRect& name : neighbours_.names) blocked += box.overlap(name);
     return blocked;
@@ -205,7 +215,7 @@ class Places {
     const double own_area = area(place.letters);
     double hidden = 8 * place.blocked * own_area;
     for (const DrawnBody& body : bodies_)
-      if (!place.on_body || !is_ground(body)) {
+      if (!is_ground(thing_, body) || (!place.on_body && body.item.target == thing_.body)) {
         hidden += 1.5 * own_area * covered(body, box);
         // A small thing covers little of a name, but the name may hide all of it.
         const Vec2d size = body.box.max - body.box.min;
@@ -218,7 +228,7 @@ class Places {
   /// another is near at all.
   [[nodiscard]] double mistakable(const PixelRect& label) const {
     const double crowded = 60 * unit_;
-    const Distances away = distances(bodies_, thing_.body, label, crowded);
+    const Distances away = distances(bodies_, thing_, label, crowded);
     const double enough = 2 * away.own + 4 * unit_;
     return std::max(away.other < enough ? 0.9 * (1 - away.other / enough) : 0.0,
                     0.3 * std::max(0.0, 1 - away.other / crowded));
@@ -227,7 +237,7 @@ class Places {
   /// The same at the end of a line, which is unambiguous unless the name almost touches another body.
   [[nodiscard]] double touching(const PixelRect& label) const {
     const double near = 12 * unit_;
-    return 0.5 * std::max(0.0, 1 - distances(bodies_, thing_.body, label, near).other / near);
+    return 0.5 * std::max(0.0, 1 - distances(bodies_, thing_, label, near).other / near);
   }
 
   /// Whether its leader line crosses another body, which it would then seem to name.
@@ -238,27 +248,32 @@ class Places {
     const auto [from, to] = line_to(*own, thing_.at, label, unit_);
     constexpr int steps = 12;
     for (const DrawnBody& body : bodies_)
-      for (int i = 0; i < steps && !is_ground(body); ++i)
+      for (int i = 0; i < steps && !is_ground(thing_, body); ++i)
         if (distance_to(body.item, from + static_cast<double>(i) / steps * (to - from)) == 0) return true;
     return false;
   }
 
-  /// The cost of the lines under a name: rays, and others' leader lines. What has no leader line itself stays near.
+  /// The cost of the rays under a name. What has no leader line itself stays near.
   [[nodiscard]] double lined(const PixelRect& box) const {
-    const double dearest = thing_.body ? 0.6 : 0.2;
-    const bool led_over = std::any_of(neighbours_.leaders.begin(), neighbours_.leaders.end(),
-                                      [&](const auto& line) { return box.meets(line[0], line[1]); });
-    return area_ * (std::min(4 * rays_.of(box), dearest) + (led_over ? dearest : 0));
+    return area_ * std::min(4 * rays_.of(box), thing_.body ? 0.6 : 0.2);
   }
 
-  /// Whether its leader line crosses another name.
+  /// Whether another text's leader line would cross it.
+  [[nodiscard]] bool struck_through(const PixelRect& box) const {
+    const auto crossed = [&](const auto& line) { return box.meets(line[0], line[1]); };
+    return std::any_of(neighbours_.leaders.begin(), neighbours_.leaders.end(), crossed) ||
+           std::any_of(painter_.leaders.begin(), painter_.leaders.end(), crossed);
+  }
+
+  /// Whether its leader line crosses another name, or what is kept free.
   [[nodiscard]] bool strikes_through(const PixelRect& label) const {
     const auto own =
         std::find_if(bodies_.begin(), bodies_.end(), [&](const DrawnBody& b) { return b.item.target == thing_.body; });
     if (own == bodies_.end()) return false;
     const auto [from, to] = line_to(*own, thing_.at, label, unit_);
-    return std::any_of(neighbours_.names.begin(), neighbours_.names.end(),
-                       [&](const PixelRect& name) { return name.meets(from, to); });
+    const auto crossed = [&](const PixelRect& taken) { return taken.meets(from, to); };
+    return std::any_of(neighbours_.names.begin(), neighbours_.names.end(), crossed) ||
+           std::any_of(painter_.kept_free.begin(), painter_.kept_free.end(), crossed);
   }
 
   void consider(LabelPlace place, double extra_cost, bool led = false) {
@@ -269,11 +284,14 @@ class Places {
     if (place.cost >= best_.cost) return;
     if (!place.on_body) place.cost += lined(place.box());
     if (!place.on_body) place.cost += area_ * (led ? touching(place.box()) : mistakable(place.box()));
-    if (led && place.cost < best_.cost && crosses(place.box())) {
+    const auto misleads = [&](const PixelRect& box) {
+      const bool leads = led || (thing_.body && !place.on_body && is_ambiguous(bodies_, thing_, box, unit_));
+      return struck_through(box) || (leads && (crosses(box) || strikes_through(box)));
+    };
+    if (place.cost < best_.cost && misleads(place.box())) {
       place.cost += area_;
       place.hidden += 1;
     }
-    if (led && place.cost < best_.cost && strikes_through(place.box())) place.cost += area_;
     if (place.cost < best_.cost) best_ = std::move(place);
   }
 
@@ -339,8 +357,7 @@ std::optional<std::array<Vec2d, 2>> leader_of(const Painter& painter, const std:
   const auto own =
       std::find_if(bodies.begin(), bodies.end(), [&](const DrawnBody& b) { return b.item.target == thing.body; });
   if (own == bodies.end()) return std::nullopt;
-  const Distances away = distances(bodies, thing.body, place.box(), 60 * unit);
-  if (away.own <= 14 * unit && away.other > away.own + 2 * unit) return std::nullopt;
+  if (!is_ambiguous(bodies, thing, place.box(), unit)) return std::nullopt;
   return line_to(*own, thing.at, place.box(), unit);
 }
 

@@ -116,24 +116,26 @@ std::vector<Labelled> labelled_things(const Painter& painter, const std::vector<
 }  // namespace
 
 void draw_labels(Painter& painter) {
-  const double gap = 5 * painter.sizes.unit;
+  const double gap = 3 * painter.sizes.unit;
   const std::vector<DrawnBody> bodies = drawn_bodies(painter.list);
   std::vector<Labelled> things = labelled_things(painter, bodies);
   std::erase_if(things, [&](const Labelled& thing) {
     return thing.text.empty() || PixelRect{thing.at - thing.half, thing.at + thing.half}.overlap(painter.pane()) <= 0;
   });
   const std::vector<LabelPlace> places = place_labels(painter, bodies, things);
+  struct Shown {
+    const LabelPlace& place;
+    Colour colour;
+  };
+  std::vector<Shown> shown;
   for (std::size_t i = 0; i < things.size(); ++i) {
-    const Labelled& thing = things[i];
     const LabelPlace& place = places[i];
-    if (!is_shown(thing, place)) continue;
+    if (!is_shown(things[i], place)) continue;
     const PixelRect box = place.box();
     painter.kept_free.push_back({box.min - gap / 2, box.max + gap / 2});
-    if (place.on_body)
-      if (const auto colour = readable_on(painter, bodies, box)) {
-        draw_letters(painter, place.at, place.letters, *colour);
-        continue;
-      }
+    const std::optional<Colour> readable = place.on_body ? readable_on(painter, bodies, box) : std::nullopt;
+    shown.push_back({place, readable.value_or(painter.colours.text)});
+    if (readable) continue;
     if (place.leader) {
       const auto [from, to] = *place.leader;
       painter.add(LineItem{from, to, painter.stroke(painter.colours.text.with_alpha(190), 0.7)});
@@ -146,8 +148,9 @@ void draw_labels(Painter& painter) {
                              {box.min.x - gap, box.max.y}},
                             painter.colours.plan.with_alpha(170),
                             std::nullopt});
-    draw_letters(painter, place.at, place.letters, painter.colours.text);
   }
+  // Above the plates of all.
+  for (const Shown& each : shown) draw_letters(painter, each.place.at, each.place.letters, each.colour);
 }
 
 }  // namespace raywalk

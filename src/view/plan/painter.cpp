@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace raywalk {
@@ -116,7 +117,8 @@ bool Painter::note(const std::vector<Vec2d>& places, const std::string& text,
   const auto is_free = [&](const PixelRect& box) {
     return box.overlap(pane()) > 0.999 * area &&
            std::none_of(kept_free.begin(), kept_free.end(),
-                        [&](const PixelRect& taken) { return box.overlap(taken) > 0; });
+                        [&](const PixelRect& taken) { return box.overlap(taken) > 0; }) &&
+           std::none_of(leaders.begin(), leaders.end(), [&](const auto& line) { return box.meets(line[0], line[1]); });
   };
   std::optional<Vec2d> best;
   constexpr double of_ray = 2, of_outline = 1.5;
@@ -127,7 +129,7 @@ bool Painter::note(const std::vector<Vec2d>& places, const std::string& text,
     const auto rays =
         std::count_if(prominent.begin(), prominent.end(), [&](const auto& ray) { return box.meets(ray[0], ray[1]); });
     double cost = of_ray * static_cast<double>(rays) + more(place);
-    if (best && cost >= least) continue;
+    if (!std::isfinite(cost) || (best && cost >= least)) continue;
     if (std::any_of(list.begin(), list.end(), [&](const DisplayItem& item) {
           return item.target.kind == TargetKind::object && runs_through(item.shape, box);
         }))
@@ -164,12 +166,15 @@ void Painter::note_beside(const Vec2d& of, const Vec2d& away, const std::string&
     if (!edge) return 0.0;
     const bool runs_over =
         std::any_of(kept_free.begin(), kept_free.end(), [&](const PixelRect& taken) { return taken.meets(*edge, of); });
-    return (runs_over ? 2.0 : 0.0) + (length(*edge - of) > 50 * sizes.unit ? 1.0 : 0.0);
+    if (runs_over) return std::numeric_limits<double>::infinity();
+    return length(*edge - of) > 50 * sizes.unit ? 1.0 : 0.0;
   });
   if (!is_there) return;
-  if (const std::optional<Vec2d> edge = leader(std::get<TextItem>(list.back().shape).at))
+  if (const std::optional<Vec2d> edge = leader(std::get<TextItem>(list.back().shape).at)) {
     list.insert(list.begin() + static_cast<std::ptrdiff_t>(before),
                 {LineItem{*edge, of, stroke(colours.text.with_alpha(190), 0.7)}});
+    leaders.push_back({*edge, of});
+  }
 }
 
 void Painter::note(const Vec2d& at, const std::string& text) {

@@ -31,6 +31,7 @@ class Painter {
   DisplayList list;
   std::vector<PixelRect> kept_free;             ///< not used by labels
   std::vector<std::array<Vec2d, 2>> prominent;  ///< rays of the current pixel, and normals
+  std::vector<std::array<Vec2d, 2>> leaders;    ///< from notes to what they are of
 
   [[nodiscard]] const Scene& scene() const { return state.scene(); }
   [[nodiscard]] Vec2d pixels(const Vec2d& point) const { return to_pixels(state.plan.camera, viewport, point); }
@@ -50,8 +51,8 @@ class Painter {
   /// and on no outline of a body. None if there is no such place: it must be said elsewhere too. Returns whether it is
   /// there.
   bool note(const std::vector<Vec2d>& places, const std::string& text);
-  /// The same at one of `first`; else beside a point, as near as possible and farther away with a line to it. `away`:
-  /// preferably in this direction, of unit length.
+  /// The same at one of `first`; else beside a point, as near as possible and farther away with a line to it, which
+  /// runs over nothing that is kept free. `away`: preferably in this direction, of unit length.
   void note_beside(const Vec2d& of, const Vec2d& away, const std::string& text, const std::vector<Vec2d>& first = {});
   /// Where the segment between two points leaves the pane, with a margin; `to` if it does not.
   [[nodiscard]] Vec2d seen_end(const Vec2d& from, const Vec2d& to) const;
@@ -60,7 +61,8 @@ class Painter {
   void keep_free(const Vec2d& at, double radius) { kept_free.push_back({at - radius, at + radius}); }
 
  private:
-  /// The same, where each place costs this much `more` than the lines that it lies on, of which a ray costs 2.
+  /// The same, where each place costs this much `more` than the lines that it lies on, of which a ray costs 2; if
+  /// infinitely much, it is none.
   bool note(const std::vector<Vec2d>& places, const std::string& text, const std::function<double(const Vec2d&)>& more);
   /// The visible part of a segment, with a margin: from and to, 0..1.
   [[nodiscard]] std::optional<std::array<double, 2>> seen_stretch(const Vec2d& from, const Vec2d& to) const;

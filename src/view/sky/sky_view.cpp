@@ -110,13 +110,34 @@ void SkyRoom::draw_in_plan(Painter& painter) {
     painter.add(chance);
   }
   draw_met(painter, ring, width);
+  // Names keep off the ring and the curve.
+  constexpr int together = 3;
+  for (int i = 0; i < count; i += together) {
+    std::vector<Vec2d> around;
+    for (int k = i; k <= i + together; ++k) {
+      const Vec2d edge = ring.along(static_cast<double>(k) / count);
+      around.push_back(ring.at(edge, 0));
+      around.push_back(ring.at(edge, width));
+    }
+    if (sampled && most > 0)
+      for (int k = i - 1; k <= i + together; ++k) {
+        const Seen& one = seen[static_cast<std::size_t>((k + count) % count)];
+        around.push_back(ring.at(one.along, width + one.pdf / most * tallest));
+      }
+    PixelRect box{around.front(), around.front()};
+    for (const Vec2d& at : around)
+      box = {{std::min(box.min.x, at.x), std::min(box.min.y, at.y)},
+             {std::max(box.max.x, at.x), std::max(box.max.y, at.y)}};
+    painter.kept_free.push_back(box);
+  }
   // Inside of the ring and of the curve: in the middle of an edge, else nearer to a corner.
   std::vector<Vec2d> places;
   const double inwards = ring.b - width - tallest - 12 * unit;
-  for (const double part : {0.0, 0.2, 0.35})
-    for (const double side : {-1.0, 1.0})
-      for (const double across : {-part, part})
-        places.push_back(ring.middle + Vec2d(across * ring.a, side * (inwards - 60 * unit * part)));
+  for (const double deeper : {0.0, 8.0, 16.0, 32.0, 48.0, 64.0})
+    for (const double part : {0.0, 0.2, 0.35})
+      for (const double side : {-1.0, 1.0})
+        for (const double across : {-part, part})
+          places.push_back(ring.middle + Vec2d(across * ring.a, side * (inwards - (60 * part + deeper) * unit)));
   painter.note(places, std::string(text(sampled ? "plan.sky_sampled" : "plan.sky", painter.state.appearance.language)));
 }
 
