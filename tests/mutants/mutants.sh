@@ -167,6 +167,11 @@ mutant factors_by_three_points radiosity trace/form_factor.cpp '!(std::abs(by_fi
 mutant factors_without_the_angle radiosity trace/form_factor.cpp '(h > 0 ? h * portable::atan2(w, h) : 0)' '0'
 mutant factors_without_the_cosine radiosity trace/form_factor.cpp 'sum += cosine * log_between(' 'sum += log_between('
 mutant factors_over_pi radiosity trace/form_factor.cpp 'sum / (2 * std::numbers::pi)' 'sum / std::numbers::pi'
+mutant factor_at_a_point_of_what_lies_behind radiosity trace/form_factor.cpp \
+  'const std::vector<Vec3d> seen = clipped(corners, point, normal);' \
+  'const std::vector<Vec3d> seen(corners.begin(), corners.end());'
+mutant factor_at_a_point_over_pi radiosity trace/form_factor.cpp 'std::abs(sum) / (2 * std::numbers::pi)' \
+  'std::abs(sum) / std::numbers::pi'
 mutant strings_not_halved radiosity trace/form_factor.h 'return 0.5 * (crossed - uncrossed);' 'return crossed - uncrossed;'
 mutant strings_swapped radiosity trace/form_factor.cpp 'length(other->a - one->a) + length(other->b - one->b)' \
   'length(other->b - one->a) + length(other->a - one->b)'
