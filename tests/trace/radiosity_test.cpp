@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "support/catch.h"
-#include "support/effort.h"
 #include "trace/photon_scenes.h"
 
 using namespace raywalk;
@@ -363,7 +362,6 @@ TEST_CASE("what radiosity cannot do is refused by name, what it leaves out is sa
 }
 
 TEST_CASE("radiosity and paths agree in a room of matt walls, a block and a lamp with an extent") {
-  if (sanitized) return;  // it counts rays for minutes
   Scene room = of({{"Room", Box<double>{{-1, -1, -1}, {1, 1, 1}}, matt(0.5)},
                    {"Block", Box<double>{{0.1, -0.2, -1.2}, {0.6, 0.4, -0.1}}, matt(0.7)},
                    {"Lamp", Box<double>{{-0.4, -0.4, 0.9}, {0.4, 0.4, 1.1}}, matt(0, 2)}});
