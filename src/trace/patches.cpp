@@ -45,12 +45,12 @@ Patch other_side(const Patch& front) {
 /// Rounding does not lift out of a plane what lies in it.
 constexpr double nothing = 1e-9;
 
+}  // namespace
+
 bool in_front(const Patch& of, const Vec3d& point) {
   const Vec3d offset = point - of.centre;
   return dot(offset, of.normal) > nothing * length(offset);
 }
-
-}  // namespace
 
 std::array<double, 4> mean_value_weights(const Patch& patch, const Vec3d& point) {
   std::array<double, 4> weights{};
@@ -248,144 +248,6 @@ bool Patches::face_each_other(int a, int b) const {
   };
   const Patch &one = (*this)[a], &other = (*this)[b];
   return one.face != other.face && some_in_front(one, other) && some_in_front(other, one);
-}
-
-Exchange Patches::exchange(int a, int b) const {
-  const Patch &one = (*this)[std::min(a, b)], &other = (*this)[std::max(a, b)];
-  const double area = flat_ ? strings_between(one.edge(), other.edge()).exchange_length()
-                            : exchange_area(one.outline(), other.outline());
-  if (!(area > 0)) return {0, 1};
-  const int points = flat_ ? 8 : 2;
-  const double first = visible_share(one, other, points);
-  if (first == 1 || first == 0) return {area, first};
-  return {area, visible_share(one, other, flat_ ? 4 * points : 2 * points)};
-}
-
-Vec3d Patches::point_on(const Patch& patch, double u, double v) const {
-  const auto& c = patch.corner;
-  if (flat_) return {Vec2d(c[0]) + u * Vec2d(c[1] - c[0]), 0};
-  if (patch.corners == 3) {
-    if (u + v > 1) u = 1 - u, v = 1 - v;
-    const Vec3d point = c[0] + u * (c[1] - c[0]) + v * (c[2] - c[0]);
-    // Not on an edge, which its neighbour has too.
-    constexpr double within = 0.9;
-    return patch.centre + within * (point - patch.centre);
-  }
-  const Vec3d low = c[0] + u * (c[1] - c[0]), high = c[3] + u * (c[2] - c[3]);
-  return low + v * (high - low);
-}
-
-bool Patches::sees(const Patch& from, const Vec3d& a, const Patch& to, const Vec3d& b) const {
-  constexpr double almost = 1 - 1e-9;
-  TestCounts uncounted;
-  const Ray<double> ray{a, b - a, Departure{from.face, 0}, 0};
-  const auto met = occluders_->closest(ray, almost, uncounted);
-  return !met || met->primitive == to.face;
-}
-
-/// Of the light between two patches: pairs of points, each as important as it is for the form factor.
-double Patches::visible_share(const Patch& a, const Patch& b, int points) const {
-  double seen = 0, all = 0;
-  const auto add = [&](const Vec3d& p, const Vec3d& q) {
-    const Vec3d way = q - p;
-    const double square = dot(way, way), cosines = dot(way, a.normal) * -dot(way, b.normal);
-    const bool apart = dot(way, a.normal) > 0 && dot(way, b.normal) < 0 && square > 0;
-    if (!apart) return;
-    const double weight = cosines / (flat_ ? square * std::sqrt(square) : square * square);
-    all += weight;
-    if (sees(a, p, b, q)) seen += weight;
-  };
-  if (flat_) {
-    for (int i = 0; i < points; ++i)
-      for (int j = 0; j < points; ++j) add(point_on(a, (i + 0.5) / points, 0), point_on(b, (j + 0.5) / points, 0));
-    return all > 0 ? seen == all ? 1 : seen / all : 1;
-  }
-  const auto at = [&](const Patch& patch, int k) {
-    return point_on(patch, (k % points + 0.5) / points, (k / points + 0.5) / points);
-  };
-  const int count = points * points;
-  // All pairs of few points; of many, each with four that lie apart.
-  const int partners = std::min(count, 4);
-  for (int i = 0; i < count; ++i)
-    for (int k = 0; k < partners; ++k) {
-      const int j = partners == count ? k : (5 * i + k * (count / partners) + k) % count;
-      add(at(a, i), at(b, j));
-    }
-  return all > 0 ? seen == all ? 1 : seen / all : 1;
-}
-
-Patches::LampLight Patches::light_of(const World<double>::Light& light, const Patch& patch, const Vec3d& at,
-                                     int grid) const {
-  // In a flat world an area light is its middle.
-  if (flat_ || light.reach == 0 || light.is_distant) grid = 1;
-  LampLight found;
-  int hidden = 0, reaching = 0;
-  TestCounts uncounted;
-  for (int k = 0; k < grid * grid; ++k) {
-    const Vec3d from = grid == 1 ? light.place : light.sample(Vec2d((k % grid + 0.5) / grid, (k / grid + 0.5) / grid));
-    const Vec3d to_light = light.direction_to(from, at);
-    if (!(dot(patch.normal, to_light) > 0) || !light.shines_along(to_light)) continue;
-    if (occluders_->occluded(Ray<double>{at, to_light, Departure{patch.face, 0}, 0}, light.t_far(), uncounted)) {
-      ++hidden;
-      continue;
-    }
-    ++reaching;
-    const double distance = light.distance(to_light);
-    const Vec3d l = to_light / distance;
-    found.irradiance +=
-        light.strength * (light.falloff(l) * dot(patch.normal, l) / light.attenuation(distance) / (grid * grid));
-  }
-  found.irradiance *= cosines();
-  found.partly_hidden = hidden > 0 && reaching > 0;
-  return found;
-}
-
-Rgbd Patches::light_of_lamps(int index) const {
-  Rgbd sum(0.0);
-  if (!world_) return sum;
-  const Patch& patch = (*this)[index];
-  const int points = flat_ ? 16 : 3, count = flat_ ? points : points * points;
-  for (const World<double>::Light& light : world_->lights)
-    for (int k = 0; k < count; ++k) {
-      const Vec3d at = flat_ ? point_on(patch, (k + 0.5) / points, 0)
-                             : point_on(patch, (k % points + 0.5) / points, (k / points + 0.5) / points);
-      sum += light_of(light, patch, at, 3).irradiance / static_cast<double>(count);
-    }
-  return sum;
-}
-
-double Patches::visible_share(const Patch& patch, const Vec3d& at, const Patch& source, int points) const {
-  double seen = 0, all = 0;
-  for (int k = 0; k < points * points; ++k) {
-    const Vec3d from = point_on(source, (k % points + 0.5) / points, (k / points + 0.5) / points), way = from - at;
-    const double here = dot(way, patch.normal), there = -dot(way, source.normal), square = dot(way, way);
-    if (!(here > 0 && there > 0)) continue;
-    const double weight = here * there / (square * square);
-    all += weight;
-    if (sees(patch, at, source, from)) seen += weight;
-  }
-  return all > 0 ? seen == all ? 1 : seen / all : 1;
-}
-
-Rgbd Patches::straight_light(int index, const Vec3d& at, const std::vector<int>& sources) const {
-  constexpr int few = 2, many = 6;  // rays along each side of a light: many where it is partly hidden
-  const Patch& patch = (*this)[index];
-  Rgbd sum(0.0);
-  for (const int id : sources) {
-    const Patch& source = (*this)[id];
-    if (source.face == patch.face || !in_front(source, at)) continue;
-    const double factor = point_factor(at, patch.normal, source.outline());
-    if (!(factor > 0)) continue;
-    double visible = visible_share(patch, at, source, few);
-    if (visible > 0 && visible < 1) visible = visible_share(patch, at, source, many);
-    sum += factor * visible * source.emission;
-  }
-  for (const World<double>::Light& light : world_->lights) {
-    LampLight found = light_of(light, patch, at, few);
-    if (found.partly_hidden) found = light_of(light, patch, at, many);
-    sum += found.irradiance;
-  }
-  return sum;
 }
 
 bool Patches::is_in_flat_surface(int patch) const {

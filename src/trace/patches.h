@@ -55,6 +55,9 @@ struct Patch {
 /// How far inside the polygon's edges a point lies, seen along its normal; negative outside.
 [[nodiscard]] double inside_by(const Patch& patch, const Vec3d& point);
 
+/// Whether a point lies before the patch's plane; one in it does not, whatever rounding says.
+[[nodiscard]] bool in_front(const Patch& of, const Vec3d& point);
+
 /// What one patch sees of another one.
 struct Exchange {
   double area = 0;     ///< A1 F12 as if nothing stood between
@@ -120,8 +123,14 @@ class Patches {
 
  private:
   void find_neighbours();
+  /// Of the light between two surfaces: pairs of points, each as important as it is for the form factor.
+  struct VisibleShare {
+    double seen = 0, all = 0;
+    [[nodiscard]] double value() const { return all > 0 ? seen == all ? 1 : seen / all : 1; }
+  };
+  void look_along(const Patch& a, const Vec3d& p, const Patch& b, const Vec3d& q, VisibleShare& share) const;
   [[nodiscard]] double visible_share(const Patch& a, const Patch& b, int points) const;
-  /// Of a source, seen from a point of a patch: by `points` x `points` rays, each as important as its light.
+  /// Of a source, seen from a point of a patch: by `points` x `points` rays.
   [[nodiscard]] double visible_share(const Patch& patch, const Vec3d& at, const Patch& source, int points) const;
   /// What arrives at a point of a patch from a light, an area light by `grid` x `grid` points of it; and whether some
   /// of these are hidden, but not all.
@@ -133,6 +142,8 @@ class Patches {
                                    int grid) const;
   [[nodiscard]] bool sees(const Patch& from, const Vec3d& a, const Patch& to, const Vec3d& b) const;
   [[nodiscard]] Vec3d point_on(const Patch& patch, double u, double v) const;
+  /// The `k`-th of points that are spread evenly: `points` along each side; in the plane, along the edge.
+  [[nodiscard]] Vec3d grid_point(const Patch& patch, int k, int points) const;
 
   std::vector<Patch> patches_;
   bool flat_ = false, too_many_ = false;

@@ -47,8 +47,10 @@ PatchIrradiance::PatchIrradiance(FormFactors& factors, const std::vector<PatchLi
   // What reached each patch by way of others.
   std::vector<Rgbd> bounced(lights.size());
   if (has_elements) {
-    for (std::size_t i = 0; i < lights.size(); ++i)
-      bounced[i] = lights[i].irradiance - patches.light_of_lamps(static_cast<int>(i));
+    for_all(run_all, patches.size(), [&](int patch) {
+      const auto index = static_cast<std::size_t>(patch);
+      if (!stop.asked()) bounced[index] = lights[index].irradiance - patches.light_of_lamps(patch);
+    });
     for (const int source : sources)
       for (const FormFactors::Entry& entry : factors.row(source, run_all, stop))
         bounced[static_cast<std::size_t>(entry.other)] -=
