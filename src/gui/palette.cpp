@@ -5,7 +5,8 @@
 #include "gui/widgets.h"
 
 #include <algorithm>
-#include <array>
+#include <string_view>
+#include <vector>
 
 namespace raywalk {
 
@@ -17,13 +18,11 @@ struct PaletteButton {
 };
 
 std::vector<PaletteButton> palette_buttons() {
-  // In the order of the rows in document.cpp.
-  constexpr std::array kinds{action::ObjectKind::solid_sphere, action::ObjectKind::transparent_sphere,
-                             action::ObjectKind::polygon, action::ObjectKind::light};
-  const std::vector<const Command*>& adds = commands_in(Section::add);
   std::vector<PaletteButton> buttons;
-  for (std::size_t i = 0; i < adds.size(); ++i)
-    buttons.push_back({adds[i], {.look = Look::plain, .pictogram = kinds.at(i)}});
+  for (const Command* adds : commands_in(Section::add)) {
+    const auto kind = named<action::ObjectKind>(adds->name.substr(std::string_view("add-").size()));
+    buttons.push_back({adds, {.look = Look::plain, .pictogram = kind}});
+  }
   buttons.push_back({&command("remove"), {.look = Look::flat, .icon = Icon::bin}});
   return buttons;
 }
