@@ -121,6 +121,14 @@ EffectUse sky(const Scene& scene) {
   return {true, "rays that leave the scene meet the sky, of type " + std::string(kind)};
 }
 
+EffectUse scattering(const Scene& scene, Integrator integrator) {
+  const EffectUse use =
+      use_if(scene, &Material::scatters_inside, "scatters light inside", "no body scatters light inside");
+  if (!use.used || integrator == Integrator::path) return use;
+  if (!traits_of(integrator).is_recursive) return left_out(integrator, "follows no ray into a body");
+  return left_out(integrator, "takes light that is scattered inside as absorbed");
+}
+
 EffectUse shadows(const Scene& scene, Integrator integrator) {
   const Light* light = first_light(scene, [](const Light&) { return true; });
   if (light == nullptr && indirect_light(scene, integrator).used) {
@@ -163,6 +171,7 @@ Effects effects_of(const Scene& scene, int samples_per_pixel) {
   effects[Effect::antialiasing] = antialiasing(samples_per_pixel);
   effects[Effect::indirect_light] = indirect_light(scene, integrator);
   effects[Effect::sky] = sky(scene);
+  effects[Effect::scattering] = scattering(scene, integrator);
   effects[Effect::textures] =
       use_if(scene, [](const Material& m) { return m.checker.has_value(); }, "is checkered", "");
   EffectUse& textures = effects[Effect::textures];

@@ -24,6 +24,7 @@ enum class Effect {
   indirect_light,
   textures,
   sky,
+  scattering,
 };
 template <>
 inline constexpr Word<Effect> words_of<Effect>[] = {{Effect::shadows, "shadows"},
@@ -37,7 +38,8 @@ inline constexpr Word<Effect> words_of<Effect>[] = {{Effect::shadows, "shadows"}
                                                     {Effect::antialiasing, "antialiasing"},
                                                     {Effect::indirect_light, "indirect_light"},
                                                     {Effect::textures, "textures"},
-                                                    {Effect::sky, "sky"}};
+                                                    {Effect::sky, "sky"},
+                                                    {Effect::scattering, "scattering"}};
 inline constexpr int effect_count = static_cast<int>(std::size(words_of<Effect>));
 
 struct EffectUse {

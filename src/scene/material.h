@@ -62,6 +62,8 @@ struct Material {
   double gloss = 0;         ///< half angle in degrees, 0..90, of the cone about the mirror direction that kr gathers
   double translucency = 0;  ///< the same about the refracted direction, for kt; both uniform over the cone
   Rgbd absorption{0.0};     ///< a: inside, the transmittance over a distance d is exp(-a d) (Beer); where kt > 0
+  Rgbd scattering{0.0};     ///< s: inside, paths go straight for a distance d with probability exp(-s d), then scatter
+  double anisotropy = 0;    ///< g: mean cosine of the angle by which they scatter, in -1..1 (Henyey-Greenstein)
   double priority = 0;      ///< where transmitting bodies overlap, the one with the highest priority wins
   ShadowKind shadow = ShadowKind::opaque;
   ShadingNormal normal = ShadingNormal::facing;  ///< fixed only where nothing transmits
@@ -74,6 +76,7 @@ struct Material {
   [[nodiscard]] bool transmits() const { return !is_black(transmission); }
   [[nodiscard]] bool is_glossy() const { return gloss > 0 && (reflects() || transmits()); }
   [[nodiscard]] bool is_translucent() const { return translucency > 0 && transmits(); }
+  [[nodiscard]] bool scatters_inside() const { return transmits() && !is_black(scattering); }
   [[nodiscard]] bool emits() const { return !is_black(emission); }
 };
 

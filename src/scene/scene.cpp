@@ -1,7 +1,12 @@
 #include "scene/scene.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
 #include <set>
+#include <tuple>
+#include <utility>
 
 namespace raywalk {
 
@@ -30,6 +35,61 @@ double entries_of(const std::vector<Object>& objects) {
       entries += instance->content->entries;
   }
   return entries;
+}
+
+namespace {
+
+/// Whether each edge belongs to two triangles, in the two directions. Vertices in one place count as one.
+bool is_closed(const Mesh& mesh) {
+  std::map<std::tuple<double, double, double>, std::size_t> places;
+  std::map<std::pair<std::size_t, std::size_t>, int> edges;  ///< how often one way more than the other
+  const auto place = [&](std::int32_t vertex) {
+    const auto& at = mesh.positions[static_cast<std::size_t>(vertex)];
+    return places.try_emplace({at.x, at.y, at.z}, places.size()).first->second;
+  };
+  for (const auto& corners : mesh.triangles) {
+    const std::size_t at[] = {place(corners[0]), place(corners[1]), place(corners[2])};
+    for (int i = 0; i < 3; ++i) {
+      const std::size_t from = at[i], to = at[(i + 1) % 3];
+      if (from != to) edges[std::minmax(from, to)] += from < to ? 1 : -1;
+    }
+  }
+  return std::all_of(edges.begin(), edges.end(), [](const auto& edge) { return edge.second == 0; });
+}
+
+struct Encloses {
+  template <class Other>
+  bool operator()(const Other& /*shape*/) const {
+    return true;
+  }
+  bool operator()(const Disk<double>& /*flat*/) const { return false; }
+  bool operator()(const Polygon<double>& /*flat*/) const { return false; }
+  bool operator()(const Triangle<double>& /*flat*/) const { return false; }
+  bool operator()(const MeshShape& shape) const { return !shape.mesh || is_closed(*shape.mesh); }
+  template <QuadricKind Kind>
+  bool operator()(const Quadric<double, Kind>& quadric) const {
+    Quadric<double, Kind> whole = quadric;
+    whole.z_min = -std::numeric_limits<double>::infinity(), whole.z_max = -whole.z_min;
+    const Bounds<double> cut = bounds(quadric), all = bounds(whole);
+    return quadric.capped || (cut.min.z == all.min.z && cut.max.z == all.max.z);
+  }
+};
+
+}  // namespace
+
+std::string why_no_walk_inside(const Object& object) {
+  const Material& material = object.material;
+  if (!material.scatters_inside() || std::holds_alternative<Instance>(object.shape)) return {};
+  const std::string shape(shape_name(object.shape));
+  if (!std::visit(Encloses{}, object.shape))
+    return "light is scattered inside, but this " + shape + " encloses nothing (expected a closed shape)";
+  bool lossless = false;
+  for (int c = 0; c < 3; ++c) lossless = lossless || (material.scattering[c] > 0 && material.absorption[c] == 0);
+  const Bounds<double> box = bounds(object.shape);
+  if (lossless && !box.empty() && !box.bounded())
+    return "light is scattered inside without loss, but this " + shape +
+           " has no end: paths might never leave it (expected an absorption above 0, or a bounded shape)";
+  return {};
 }
 
 Scene::Scene() = default;

@@ -86,6 +86,10 @@ struct MaterialUse {
 };
 [[nodiscard]] std::vector<MaterialUse> material_uses(const Scene& scene);
 
+/// Why paths cannot walk inside of an object that scatters light there: its shape encloses nothing, or has no end and
+/// absorbs nothing, so that they might never leave. Empty when they can, or need not.
+[[nodiscard]] std::string why_no_walk_inside(const Object& object);
+
 /// The first object, in the scene or in an instanced group, that moves while the shutter is open; null for none.
 [[nodiscard]] const Object* first_moving_object(const Scene& scene);
 

@@ -350,6 +350,10 @@ void describe(Fields& f, Material& material) {
   f.key("translucency", material.translucency, lobe_angle, "The same for what shines through.");
   f.key("absorption", material.absorption, light_colour,
         "Of the light inside, exp(-absorption) is left after each unit of length.");
+  f.key("scattering", material.scattering, light_colour,
+        "Inside, paths go straight for a unit of length with probability exp(-scattering), then scatter.");
+  f.key("anisotropy", material.anisotropy, mean_cosine,
+        "g: where light goes that is scattered inside: on (towards 1), back (towards -1), anywhere (0).");
   f.key("priority", material.priority, any_number,
         "Where transparent bodies overlap, the one with the highest counts, and of equal ones that which light entered "
         "last.");
@@ -430,6 +434,9 @@ void describe(Fields& f, Object& object) {
   f.check("material", !std::holds_alternative<Instance>(object.shape) || object.material == Material{},
           "an instance has the materials of the objects in its group (expected none of its own)",
           "give the material to the objects of [[group]]");
+  f.check(
+      "material", [&] { return why_no_walk_inside(object); },
+      "light is scattered inside of what transmits: leave scattering out, or take a closed, bounded shape");
 }
 
 template <class Fields>

@@ -117,6 +117,15 @@ inline constexpr Number albedo{
     .hint = "0.2 is grass, 0.8 snow",
 };
 
+inline constexpr Number mean_cosine{
+    .words = "a number above -1 and below 1",
+    .low = -1,
+    .high = 1,
+    .above_low = true,
+    .below_high = true,
+    .hint = "the mean cosine of the angle by which light is scattered: 0 is evenly, 0.9 mostly ahead",
+};
+
 struct Whole {
   int low = 1, high = 1;
   std::string_view unit{};

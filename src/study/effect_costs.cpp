@@ -101,6 +101,9 @@ std::optional<Scene> without(const Scene& scene, Effect effect) {
     case Effect::sky:
       changed.sky.reset();
       return changed;
+    case Effect::scattering:
+      change_materials(changed, [](Material& m) { m.scattering = Rgbd(0.0); });
+      return changed;
   }
   return std::nullopt;
 }

@@ -130,6 +130,7 @@ class Describer {
       case Ending::missed:
       case Ending::blocked:
       case Ending::reached_light:
+      case Ending::scattered:
         break;  // these rays are formed
     }
     return {};
@@ -145,6 +146,9 @@ class Describer {
         return {from_inside ? "walk.left_through_surface" : "walk.found_hit",
                 {{"ray", record.kind}, {"object", met}, {"distance", length(found.point - record.origin)}}};
       }
+      case Ending::scattered:
+        return {"walk.scattered_inside",
+                {{"ray", record.kind}, {"object", met}, {"distance", length(found.point - record.origin)}}};
       case Ending::missed:
         if (const auto* sky = std::get_if<SkyNumbers>(&found.numbers))
           return {sky->elevation < 0 ? "walk.found_sky_below" : "walk.found_sky",
@@ -302,6 +306,8 @@ class Describer {
         return "walk.photon_mirrored";
       case Lobe::transparent:
         return "walk.photon_passed";
+      case Lobe::phase:
+        break;
     }
     return {};
   }
@@ -315,6 +321,8 @@ class Describer {
         return "walk.direction_mirror";
       case Lobe::transparent:
         return "walk.direction_transparent";
+      case Lobe::phase:
+        return "walk.direction_scattered";
     }
     return {};
   }

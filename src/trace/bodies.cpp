@@ -127,10 +127,12 @@ class Sorter {
     }
   }
 
-  using Glass = std::array<T, 4>;
+  using Glass = std::array<T, 8>;
   [[nodiscard]] std::pair<Glass, double> glass(std::int32_t surface) const {
     const auto& inside = world_.surfaces[static_cast<std::size_t>(surface)];
-    return {{inside.ior, inside.absorption.x, inside.absorption.y, inside.absorption.z}, inside.priority};
+    return {{inside.ior, inside.extinction.x, inside.extinction.y, inside.extinction.z, inside.scattering.x,
+             inside.scattering.y, inside.scattering.z, inside.anisotropy},
+            inside.priority};
   }
 
   const World<T>& world_;

@@ -187,6 +187,8 @@ auto Bsdf<T>::sample(Lobe lobe, const Vec2<T>& u) const -> BsdfSample {
       choice.direction = renormalize(Basis<T>(mirror_axis).to_world(sample_uniform_cone(u, mirror_width)));
       if (!(dot(choice.direction, shading_normal) > 0)) choice.direction = folded(choice.direction);
       break;
+    case Lobe::phase:
+      break;
     case Lobe::transparent:
       choice.direction = transparent_axis;
       if (sharp(lobe)) break;

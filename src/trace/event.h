@@ -24,7 +24,7 @@ inline constexpr Word<RayKind> words_of<RayKind>[] = {{RayKind::primary, "primar
                                                       {RayKind::photon, "photon"},   {RayKind::beam, "beam"}};
 inline constexpr int ray_kind_count = 6;
 
-/// Why a ray ended, or why it was not formed. A formed ray ends in one of the first four.
+/// Why a ray ended, or why it was not formed. A formed ray ends in one of the first four or the last.
 enum class Ending {
   hit,                        ///< met a surface, which was shaded
   missed,                     ///< left the scene: background
@@ -36,6 +36,7 @@ enum class Ending {
   path_length,                ///< not formed: the path is as long as the path tracer allows
   facing_away,                ///< not formed: the light is behind the surface
   outside_cone,               ///< not formed: outside the cone of the spot
+  scattered,                  ///< a medium scattered it before it met anything
 };
 template <>
 inline constexpr Word<Ending> words_of<Ending>[] = {{Ending::hit, "hit"},
@@ -47,8 +48,9 @@ inline constexpr Word<Ending> words_of<Ending>[] = {{Ending::hit, "hit"},
                                                     {Ending::total_internal_reflection, "total_internal_reflection"},
                                                     {Ending::path_length, "path_length"},
                                                     {Ending::facing_away, "facing_away"},
-                                                    {Ending::outside_cone, "outside_cone"}};
-inline constexpr int ending_count = 10;
+                                                    {Ending::outside_cone, "outside_cone"},
+                                                    {Ending::scattered, "scattered"}};
+inline constexpr int ending_count = 11;
 
 /// The quadratic a t^2 + b t + c of a sphere (roots NaN when there are none).
 struct QuadraticNumbers {
@@ -166,13 +168,20 @@ struct PixelPut {
 
 /// How a surface scatters. Mirror and transparent lobes are sharp, or cones where the material is glossy or
 /// translucent.
-enum class Lobe { diffuse, highlight, mirror, transparent };
+enum class Lobe {
+  diffuse,
+  highlight,
+  mirror,
+  transparent,
+  phase,  ///< of no surface: the phase function of a medium
+};
 template <>
 inline constexpr Word<Lobe> words_of<Lobe>[] = {{Lobe::diffuse, "diffuse"},
                                                 {Lobe::highlight, "highlight"},
                                                 {Lobe::mirror, "mirror"},
-                                                {Lobe::transparent, "transparent"}};
-inline constexpr int lobe_count = 4;
+                                                {Lobe::transparent, "transparent"},
+                                                {Lobe::phase, "phase"}};
+inline constexpr int lobe_count = 4;  ///< of surfaces: all before `phase`
 
 /// add_background: the path has left the scene. Pdfs as of EmissionAdded.
 struct BackgroundAdded {

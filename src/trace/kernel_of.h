@@ -44,8 +44,8 @@ Statistics run_kernel(const World<T>& world, const RayGenerator<T>& camera, cons
 /// Each set that a kernel is compiled for. There is no refraction without reflection (total internal reflection), nor
 /// lobes without it, nor nesting without refraction: seven sets; each with or without textures, and with shadows,
 /// shadows and penumbras, or neither: forty-two. One more leaves out shadow rays, and one has everything and a sky,
-/// which none of the others has. Nesting is a set of its own: where nothing nests, a mere test at each hit would cost
-/// more than 0.1%.
+/// which none of the others has, nor scattering, which is for paths. Nesting is a set of its own: where nothing nests,
+/// a mere test at each hit would cost more than 0.1%.
 inline constexpr auto kernel_sets = [] {
   constexpr bool no = false, yes = true;
   struct Scattering {
@@ -64,7 +64,7 @@ inline constexpr auto kernel_sets = [] {
   for (const Scattering& to : scatterings)
     for (const auto& [shadows, penumbra] : lights)
       for (const bool textures : {no, yes})
-        sets[at++] = {to.reflection, to.refraction, textures, penumbra, to.lobes, shadows, to.nesting, yes, no};
+        sets[at++] = {to.reflection, to.refraction, textures, penumbra, to.lobes, shadows, to.nesting, yes, no, no};
   sets[at++] = no_occlusion;  // for looking, and need not be fast
   sets[at] = all_hit_effects;
   return sets;
@@ -74,7 +74,7 @@ inline constexpr auto kernel_sets = [] {
 [[nodiscard]] constexpr std::size_t kernel_set_for(HitEffects set) {
   if (!set.occlusion) {
     set = no_occlusion;
-  } else if (set.sky) {
+  } else if (set.sky || set.scattering) {
     set = all_hit_effects;
   }
   set.refraction = set.refraction || set.nesting;

@@ -17,11 +17,11 @@
 
 namespace raywalk {
 
-/// The transmittance over a distance in an absorbing medium (Beer-Lambert law; A. Beer 1852).
+/// The transmittance over a distance in a medium (Beer-Lambert law; A. Beer 1852).
 template <class T>
-[[nodiscard]] Rgb<T> beer_lambert(const Rgb<T>& absorption, T distance) {
-  return {portable::exp(-absorption.x * distance), portable::exp(-absorption.y * distance),
-          portable::exp(-absorption.z * distance)};
+[[nodiscard]] Rgb<T> beer_lambert(const Rgb<T>& extinction, T distance) {
+  return {portable::exp(-extinction.x * distance), portable::exp(-extinction.y * distance),
+          portable::exp(-extinction.z * distance)};
 }
 
 /// The medium of a ray spawned at the hit `met`; `before`: the medium up to there. Null: air, or unknown. A ray that is
@@ -41,7 +41,7 @@ template <class T, class Surface>
     const typename Surface::Medium* medium, const Surface& met, bool entering, T distance) {
   const typename Surface::Medium* through = medium == nullptr && !entering ? &met : medium;
   if (through == nullptr || !through->absorbs) return std::nullopt;
-  return beer_lambert(through->absorption, distance);
+  return beer_lambert(through->extinction, distance);
 }
 
 /// The bodies that a ray is inside of, as indices into World::bodies: the top one last.

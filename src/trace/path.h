@@ -3,7 +3,8 @@
 // the lights and along the path, combined by multiple importance sampling (E. Veach and L. Guibas, "Optimally Combining
 // Sampling Techniques for Monte Carlo Rendering", SIGGRAPH 1995), and paths ended by Russian roulette (J. Arvo and D.
 // Kirk, SIGGRAPH 1990). `main_algorithm` and `follow_path` read like trace/pseudocode.h, and a test holds them
-// together; what a statement does stands in trace/path_steps.h and trace/path_light_steps.h.
+// together; what a statement does stands in trace/path_steps.h, trace/path_light_steps.h and, inside of
+// bodies that scatter light, trace/path_medium_steps.h.
 //
 // Materials are the tracer's: kd / pi is Lambertian, the highlight is a lobe, mirrors and glass are exact. Differences
 // from SHADE: surfaces light each other, so `ambient`, which approximates that, is left out. Russian roulette ends
@@ -14,6 +15,7 @@
 #include "trace/bsdf.h"
 #include "trace/emitters.h"
 #include "trace/media.h"
+#include "trace/medium_walk.h"
 #include "trace/policy.h"
 #include "trace/ray_generator.h"
 #include "trace/statistics.h"
@@ -37,10 +39,11 @@ struct PathSettings {
   int roulette_from = 4;  ///< number of rays before Russian roulette begins; >= 1
   PathStrategy strategy = PathStrategy::both;
   SkySampling sky = SkySampling::by_brightness;
+  bool flat = false;  ///< rays from the eye, and where media scatter them, stay in the plane z = 0
   friend bool operator==(const PathSettings&, const PathSettings&) = default;
 };
 
-/// Of the policy's effects (trace/policy.h), only nesting and the sky matter.
+/// Of the policy's effects (trace/policy.h), only nesting, scattering and the sky matter.
 template <class Policy>
 class PathTracer {
  public:
@@ -78,6 +81,9 @@ class PathTracer {
  private:
   using Medium = typename World<T>::Medium;
   using Surface = typename World<T>::Surface;
+  /// Whether media may scatter (trace/path_medium_steps.h).
+  static constexpr bool media = Policy::effects.scattering;
+  struct Nothing {};
   /// A ray of the path, with its state.
   struct PathRay {
     Ray ray;
@@ -87,10 +93,18 @@ class PathTracer {
     T pdf;                           ///< of its direction, per solid angle; 0: it was the only one possible
     int number;                      ///< in the recording; 0 without an observer
     const Medium* medium = nullptr;  ///< that it travels in, if known
+    /// Where it got its direction: its origin, or further back where surfaces were seamless.
+    [[no_unique_address]] std::conditional_t<media, Vec3<T>, Nothing> scattered_at{};
   };
   using Nearest = std::optional<Hit<T>>;
+  /// Where a ray got to: a surface, or where a medium scatters it; else it missed everything.
+  struct ArrivalInMedium : Nearest {
+    bool scattered = false;
+  };
+  using Arrival = std::conditional_t<media, ArrivalInMedium, Nearest>;
   /// A vertex of the path: the hit, prepared with its BSDF.
-  using Vertex = SurfaceVertex<T>;
+  using Vertex = std::conditional_t<media, MediumVertex<T>, SurfaceVertex<T>>;
+  using Free = std::conditional_t<media, FreePath<T>, Nothing>;
   /// A light sample as seen from a vertex.
   struct LightSample;
   using BsdfSample = typename Bsdf<T>::BsdfSample;
@@ -100,14 +114,15 @@ class PathTracer {
     Rgb<T> shade{0};
     // While there is a ray
     while (there_is(ray)) {
+      Free free = draw_free_path(*ray);
       // Find closest intersection
-      const Nearest nearest = find_closest(*ray);
+      const Arrival arrival = find_closest(*ray, free);
       // If intersect nothing
-      if (decide_missed(*ray, nearest)) {
+      if (decide_missed(*ray, arrival)) {
         // Add background and end
         return add_background(shade, *ray);
       }
-      const Vertex at = prepare(*ray, *nearest);
+      const Vertex at = prepare(*ray, arrival, free);
       // Add emission, weighted
       add_emission(shade, *ray, at);
       for (int light = 0; light < light_count_at(at); ++light) {
@@ -136,11 +151,17 @@ class PathTracer {
   void begin(const Pixel& pixel);
   PathRay form_primary_ray(const Pixel& pixel);
   bool there_is(const std::optional<PathRay>& ray);
-  Nearest find_closest(const PathRay& ray);
-  bool decide_missed(const PathRay& ray, const Nearest& nearest);
+  Free draw_free_path(const PathRay& ray);
+  Arrival find_closest(PathRay& ray, Free& free);
+  bool scatters_before(PathRay& ray, Free& free, const Nearest& nearest) const;
+  Found describe_scattered(const PathRay& ray, const Free& free) const;
+  Vertex scatter(const PathRay& ray, const Free& free) const;
+  BsdfSample sample_phase(const Vertex& at);
+  Nearest closest_through_media(const LightSample& light_sample, Rgb<T>& transmittance);
+  bool decide_missed(const PathRay& ray, const Arrival& arrival);
   Rgb<T> add_background(const Rgb<T>& shade, const PathRay& ray);
   Rgb<T> add_sky(const Rgb<T>& shade, const PathRay& ray);
-  Vertex prepare(const PathRay& ray, const Hit<T>& hit);
+  Vertex prepare(const PathRay& ray, const Arrival& arrival, const Free& free);
   void add_emission(Rgb<T>& shade, const PathRay& ray, const Vertex& at);
   [[nodiscard]] int light_count_at(const Vertex& at) const;
   std::optional<LightSample> form_shadow_ray(const PathRay& ray, const Vertex& at, int light);
@@ -159,6 +180,36 @@ class PathTracer {
   PathRay form_next_ray(const Vertex& at, const BsdfSample& choice, T survival);
   template <class Put>
   void put_in_pixel(const Pixel& pixel, const Rgb<T>& final, Put& put);
+
+  /// Where the ray got its direction.
+  [[nodiscard]] static const Vec3<T>& seen_from(const PathRay& ray) {
+    if constexpr (media)
+      return ray.scattered_at;
+    else
+      return ray.ray.origin;
+  }
+  // How a vertex scatters, be it at a surface or inside of a medium.
+  [[nodiscard]] static bool is_inside(const Vertex& at) {
+    if constexpr (media) return at.phase.has_value();
+    return false;
+  }
+  [[nodiscard]] static bool absorbs(const Vertex& at) {
+    return is_inside(at) ? is_black(at.throughput) : at.bsdf.absorbs();
+  }
+  [[nodiscard]] static bool all_sharp(const Vertex& at) { return !is_inside(at) && at.bsdf.all_sharp(); }
+  [[nodiscard]] static typename Bsdf<T>::BsdfValue evaluate(const Vertex& at, const Vec3<T>& direction) {
+    if constexpr (media) {
+      if (at.phase) {
+        const T value = (*at.phase)(direction);
+        return {Rgb<T>(value), value};
+      }
+    }
+    return at.bsdf.evaluate(direction);
+  }
+  [[nodiscard]] Ray spawn(const Vertex& at, const Vec3<T>& direction) const {
+    if (is_inside(at)) return Ray{raywalk::Ray<T>{at.position, direction, {}, at.time}};
+    return spawn_ray<Ray>(world_, at.position, at.outward_normal, at.departure, direction, at.time);
+  }
 
   /// The key of a draw at the end of the path's `length`-th ray.
   [[nodiscard]] RandomKey key_at(int length, std::uint32_t dimension, Effect effect = Effect::indirect_light) const {
@@ -191,4 +242,5 @@ class PathTracer {
 }  // namespace raywalk
 
 #include "trace/path_light_steps.h"
+#include "trace/path_medium_steps.h"
 #include "trace/path_steps.h"

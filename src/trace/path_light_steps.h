@@ -9,14 +9,14 @@ namespace raywalk {
 /// All lights of the scene, one sample of all emitters together, and one of the sky, the last.
 template <class Policy>
 int PathTracer<Policy>::light_count_at(const Vertex& at) const {
-  const bool objects = !emitters_.empty() && settings_.strategy != PathStrategy::directions && !at.bsdf.all_sharp();
+  const bool objects = !emitters_.empty() && settings_.strategy != PathStrategy::directions && !all_sharp(at);
   return static_cast<int>(world_.lights.size()) + (objects ? 1 : 0) + (samples_sky(at) ? 1 : 0);
 }
 
 template <class Policy>
 bool PathTracer<Policy>::samples_sky(const Vertex& at) const {
   if constexpr (Policy::effects.sky)
-    return world_.sky && settings_.strategy != PathStrategy::directions && !at.bsdf.all_sharp();
+    return world_.sky && settings_.strategy != PathStrategy::directions && !all_sharp(at);
   return false;
 }
 
@@ -49,8 +49,7 @@ auto PathTracer<Policy>::form_shadow_ray(const PathRay& ray, const Vertex& at, i
                                         : sky ? aim_at_sky(light_sample, at)
                                               : aim_at_emitter(light_sample, at);
   if (why_not) return not_formed(*why_not);
-  light_sample.ray =
-      spawn_ray<Ray>(world_, at.position, at.outward_normal, at.departure, light_sample.ray.direction, at.time);
+  light_sample.ray = spawn(at, light_sample.ray.direction);
   light_sample.number = rays_formed_++;
   ++statistics_.formed(RayKind::shadow);
   note(Line::path_form_shadow_ray, ray.length, [&] {
@@ -68,7 +67,8 @@ auto PathTracer<Policy>::form_shadow_ray(const PathRay& ray, const Vertex& at, i
   return light_sample;
 }
 
-/// A light contributes as in the tracer: its strength times kd cos and ks (n.h)^s.
+/// A light contributes as in the tracer: its strength times kd cos and ks (n.h)^s. Inside of a medium, the phase
+/// function is in the place of kd / pi cos.
 template <class Policy>
 std::optional<Ending> PathTracer<Policy>::aim_at_light(LightSample& light_sample, const Vertex& at) {
   const typename World<T>::Light& light = *light_sample.light;
@@ -83,13 +83,17 @@ std::optional<Ending> PathTracer<Policy>::aim_at_light(LightSample& light_sample
   }
   to_light = light.direction_to(point, at.position);
   const Bsdf<T>& bsdf = at.bsdf;
-  if (!(dot(bsdf.shading_normal, to_light) > 0) || !(dot(bsdf.geometric_normal, to_light) > 0))
+  if (!is_inside(at) && (!(dot(bsdf.shading_normal, to_light) > 0) || !(dot(bsdf.geometric_normal, to_light) > 0)))
     return Ending::facing_away;
   if (!light.shines_along(to_light)) return Ending::outside_cone;
   const T distance = light.distance(to_light);
   const Vec3<T> l = to_light * (1 / distance);
   Rgb<T> radiance = light.strength * (1 / light.attenuation(distance));
   if (!light.is_isotropic) radiance *= light.falloff(l);
+  if (is_inside(at)) {
+    light_sample.contribution = at.throughput * radiance * (pi_v<T> * evaluate(at, l).value);
+    return std::nullopt;
+  }
   Rgb<T> answers = bsdf.diffuse * dot(bsdf.shading_normal, l);
   if (!is_black(at.specular)) {
     const Vec3<T> h = l - bsdf.incident;
@@ -114,7 +118,7 @@ std::optional<Ending> PathTracer<Policy>::aim_at_emitter(LightSample& light_samp
   if (!drawn) return Ending::facing_away;
   light_sample.ray.direction = drawn->to_light;
   light_sample.medium = dot(drawn->to_light, at.bsdf.geometric_normal) < 0 ? at.behind : at.medium;
-  const auto answers = at.bsdf.evaluate(normalize(drawn->to_light));
+  const auto answers = evaluate(at, normalize(drawn->to_light));
   if (!(answers.pdf > 0)) return Ending::facing_away;
   light_sample.target = {drawn->primitive, drawn->part};
   light_sample.direction_pdf = answers.pdf;
@@ -134,7 +138,7 @@ std::optional<Ending> PathTracer<Policy>::aim_at_sky(LightSample& light_sample, 
   const Vec3<T> direction(drawn->direction);
   light_sample.ray.direction = direction;
   light_sample.medium = dot(direction, at.bsdf.geometric_normal) < 0 ? at.behind : at.medium;
-  const auto answers = at.bsdf.evaluate(renormalize(direction));
+  const auto answers = evaluate(at, renormalize(direction));
   if (!(answers.pdf > 0)) return Ending::facing_away;
   light_sample.direction_pdf = answers.pdf;
   light_sample.light_pdf = static_cast<T>(drawn->pdf);
@@ -170,11 +174,14 @@ auto PathTracer<Policy>::find_intersection(const PathRay& ray, const LightSample
         shadow_transmittance(world_, light_sample.ray, t_max, statistics_.tests, filters_met_, {}, light_sample.medium)
             .value_or(Rgb<T>(0));
   } else {
-    blocker = world_.accelerator.closest(light_sample.ray, infinity<T>, statistics_.tests);
+    Rgb<T> through{1};
+    const bool by_media = media && world_.effects.used(Effect::scattering);
+    blocker = by_media ? closest_through_media(light_sample, through)
+                       : world_.accelerator.closest(light_sample.ray, infinity<T>, statistics_.tests);
     if (blocker && Departure{blocker->primitive, blocker->part} == light_sample.target)
-      visible = emitter_transmittance(light_sample, *blocker);
+      visible = by_media ? through : emitter_transmittance(light_sample, *blocker);
     if constexpr (Policy::effects.sky)
-      if (!blocker && is_sky(light_sample)) visible = Rgb<T>(1);
+      if (!blocker && is_sky(light_sample)) visible = through;
   }
   const Ending ending = is_black(visible) ? Ending::blocked : Ending::reached_light;
   ++statistics_.ends(ending);

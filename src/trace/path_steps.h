@@ -1,6 +1,8 @@
 #pragma once
-// What each statement of trace/path.h does, except those about lights (trace/path_light_steps.h). Included by it alone.
+// What each statement of trace/path.h does, except those about lights (trace/path_light_steps.h) and media
+// (trace/path_medium_steps.h). Included by it alone.
 
+#include "trace/flat_ray.h"
 #include "trace/path.h"
 #include "trace/representable.h"
 #include "trace/spawn_ray.h"
@@ -45,11 +47,15 @@ void PathTracer<Policy>::begin(const Pixel& pixel) {
 
 template <class Policy>
 auto PathTracer<Policy>::form_primary_ray(const Pixel& pixel) -> PathRay {
-  PathRay primary{
-      Ray{camera_.primary_ray(pixel, pixel_draws_, statistics_)}, RayKind::primary, Rgb<T>(1), 1, 0, rays_formed_++};
+  raywalk::Ray<T> from_eye = camera_.primary_ray(pixel, pixel_draws_, statistics_);
+  if constexpr (media) {
+    if (settings_.flat) from_eye = flattened(from_eye);
+  }
+  PathRay primary{Ray{from_eye}, RayKind::primary, Rgb<T>(1), 1, 0, rays_formed_++};
   if constexpr (Policy::effects.nesting) {
     if (nested_.any_around_eye()) primary.medium = nested_.at_eye(primary.ray, statistics_.tests);
   }
+  if constexpr (media) primary.scattered_at = primary.ray.origin;
   ++statistics_.formed(RayKind::primary);
   note(Line::path_form_primary_ray, 0, [&] {
     return RayFormed{primary.number, -1, RayKind::primary, Vec3d(primary.ray.origin), Vec3d(primary.ray.direction),
@@ -66,20 +72,29 @@ bool PathTracer<Policy>::there_is(const std::optional<PathRay>& ray) {
 }
 
 template <class Policy>
-auto PathTracer<Policy>::find_closest(const PathRay& ray) -> Nearest {
+auto PathTracer<Policy>::find_closest(PathRay& ray, [[maybe_unused]] Free& free) -> Arrival {
   const Nearest nearest = world_.accelerator.closest(ray.ray, infinity<T>, statistics_.tests);
+  if constexpr (media) {
+    if (scatters_before(ray, free, nearest)) {
+      ++statistics_.ends(Ending::scattered);
+      note(Line::path_find_closest_intersection, ray.length, [&] { return describe_scattered(ray, free); });
+      return {nearest, true};
+    }
+  }
   ++statistics_.ends(nearest ? Ending::hit : Ending::missed);
   note(Line::path_find_closest_intersection, ray.length, [&] {
     return nearest ? detail::describe(ray.number, Ending::hit, world_, ray.ray, *nearest)
                    : detail::describe_missed(ray.number, Ending::missed, world_, ray.ray);
   });
-  return nearest;
+  return Arrival{nearest};
 }
 
 template <class Policy>
-bool PathTracer<Policy>::decide_missed(const PathRay& ray, const Nearest& nearest) {
-  note(Line::if_intersect_nothing, ray.length, [&] { return Decided{!nearest}; });
-  return !nearest;
+bool PathTracer<Policy>::decide_missed(const PathRay& ray, const Arrival& arrival) {
+  bool missed = !arrival;
+  if constexpr (media) missed = missed && !arrival.scattered;
+  note(Line::if_intersect_nothing, ray.length, [&] { return Decided{missed}; });
+  return missed;
 }
 
 template <class Policy>
@@ -115,19 +130,30 @@ auto PathTracer<Policy>::add_sky(const Rgb<T>& shade, const PathRay& ray) -> Rgb
 }
 
 template <class Policy>
-auto PathTracer<Policy>::prepare(const PathRay& ray, const Hit<T>& hit) -> Vertex {
-  return prepare_vertex<Policy>(world_, nested_, ray, hit, statistics_);
+auto PathTracer<Policy>::prepare(const PathRay& ray, const Arrival& arrival, [[maybe_unused]] const Free& free)
+    -> Vertex {
+  if constexpr (media) {
+    if (arrival.scattered) return scatter(ray, free);
+    Vertex at = prepare_vertex<Policy>(world_, nested_, ray, *arrival, statistics_);
+    at.seamless = at.surface->seamless && at.refraction.n1 == at.refraction.n2;
+    at.scattered_at = ray.scattered_at;
+    at.pdf = ray.pdf;
+    return at;
+  } else {
+    return prepare_vertex<Policy>(world_, nested_, ray, *arrival, statistics_);
+  }
 }
 
 /// Emission that light sampling at the previous vertex could have found is weighted against it.
 template <class Policy>
 void PathTracer<Policy>::add_emission(Rgb<T>& shade, const PathRay& ray, const Vertex& at) {
+  if (is_inside(at)) return;
   const Rgb<T>& emission = at.surface->emission;
   if (is_black(emission) && !Observer::watches) return;
   T light_pdf = 0;
   if (ray.pdf > 0 && !is_black(emission) && settings_.strategy != PathStrategy::directions)
     light_pdf =
-        emitters_.pdf(ray.ray.origin, at.departure.primitive, at.departure.part, at.position, at.outward_normal);
+        emitters_.pdf(seen_from(ray), at.departure.primitive, at.departure.part, at.position, at.outward_normal);
   T weight = 1;
   if (light_pdf > 0) weight = settings_.strategy == PathStrategy::lights ? T(0) : power_heuristic(ray.pdf, light_pdf);
   const Rgb<T> added = weight * at.throughput * emission;
@@ -146,7 +172,10 @@ template <class Policy>
 auto PathTracer<Policy>::choose_direction(const PathRay& ray, const Vertex& at) -> std::optional<BsdfSample> {
   const bool last = settings_.max_length > 0 && ray.length + 1 > settings_.max_length;
   std::optional<BsdfSample> choice;
-  if (!at.bsdf.absorbs() && !last) {
+  if (is_inside(at)) {
+    if constexpr (media)
+      if (!absorbs(at) && !last) choice = sample_phase(at);
+  } else if (!at.bsdf.absorbs() && !last) {
     T u = 0;
     if (at.bsdf.several()) {
       u = draw<T>(camera_.sampler(), key_at(at.length, detail::PathDimension::lobe), camera_.count());
@@ -177,12 +206,14 @@ auto PathTracer<Policy>::decide_survival(const PathRay& ray, const Vertex& at, c
     -> T {
   T survival = 0;
   std::optional<Ending> why;
-  if (settings_.max_length > 0 && ray.length + 1 > settings_.max_length && !at.bsdf.absorbs()) {
+  if (settings_.max_length > 0 && ray.length + 1 > settings_.max_length && !absorbs(at)) {
     why = Ending::path_length;
   } else if (choice) {
     survival = 1;
     if (ray.length >= settings_.roulette_from) {
-      constexpr T most = T(0.95);  // so that every path terminates
+      // So that every path terminates. Inside of a medium it gets out some time; few are the paths that go far, and
+      // these must not count for many.
+      const T most = is_inside(at) ? T(1) : T(0.95);
       survival = std::min(max_component(at.throughput * choice->weight), most);
       const T u = draw<T>(camera_.sampler(), key_at(at.length, detail::PathDimension::roulette), camera_.count());
       statistics_.drew(Effect::indirect_light, 1);
@@ -199,13 +230,17 @@ template <class Policy>
 auto PathTracer<Policy>::form_next_ray(const Vertex& at, const BsdfSample& choice, T survival) -> PathRay {
   stop_.check();
   const RayKind kind = choice.lobe == Lobe::transparent ? RayKind::refract : RayKind::reflect;
-  const PathRay next{spawn_ray<Ray>(world_, at.position, at.outward_normal, at.departure, choice.direction, at.time),
-                     kind,
-                     at.throughput * choice.weight * (1 / survival),
-                     at.length + 1,
-                     choice.pdf,
-                     rays_formed_++,
-                     kind == RayKind::refract ? at.behind : at.medium};
+  PathRay next{spawn(at, choice.direction),
+               kind,
+               at.throughput * choice.weight * (1 / survival),
+               at.length + 1,
+               choice.pdf,
+               rays_formed_++,
+               kind == RayKind::refract ? at.behind : at.medium};
+  if constexpr (media) {
+    next.scattered_at = next.ray.origin;
+    if (at.seamless && kind == RayKind::refract) next.scattered_at = at.scattered_at, next.pdf = at.pdf;
+  }
   ++statistics_.formed(kind);
   note(Line::form_next_ray, at.length, [&] {
     RayFormed event{next.number,          at.number, kind, Vec3d(next.ray.origin), Vec3d(choice.direction),

@@ -132,6 +132,8 @@ auto PhotonTracer<Policy>::adjoint(const Vertex& at, Lobe lobe, const Vec3<T>& d
       const T ratio = at.refraction.n1 / at.refraction.n2;
       return settings_.flat ? ratio : ratio * ratio;
     }
+    case Lobe::phase:
+      break;
   }
   return 1;
 }

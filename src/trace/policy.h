@@ -26,12 +26,13 @@ class Observer {
 /// The effects whose code is inside the hit loop. A kernel without an effect contains none of its code.
 struct HitEffects {
   bool reflection = true, refraction = true, textures = true;
-  bool penumbra = true;   ///< area lights, or many lights
-  bool lobes = true;      ///< gloss and translucency
-  bool shadows = true;    ///< lights at all, occluded or not
-  bool nesting = true;    ///< transmitting bodies may overlap, or contain the eye
-  bool occlusion = true;  ///< shadow rays are traced; else every light in front of a surface reaches it
-  bool sky = true;        ///< what rays bring back that leave the scene depends on their direction
+  bool penumbra = true;    ///< area lights, or many lights
+  bool lobes = true;       ///< gloss and translucency
+  bool shadows = true;     ///< lights at all, occluded or not
+  bool nesting = true;     ///< transmitting bodies may overlap, or contain the eye
+  bool occlusion = true;   ///< shadow rays are traced; else every light in front of a surface reaches it
+  bool scattering = true;  ///< paths scatter inside of bodies
+  bool sky = true;         ///< what rays bring back that leave the scene depends on their direction
   friend bool operator==(const HitEffects&, const HitEffects&) = default;
 };
 inline constexpr HitEffects all_hit_effects{};
@@ -50,6 +51,7 @@ inline constexpr std::size_t few_lights = 64;
           effects.used(Effect::shadows),
           nesting,
           true,
+          effects.used(Effect::scattering),
           effects.used(Effect::sky)};
 }
 

@@ -136,7 +136,7 @@ template <class T, class AnyRay>
   const auto go = [&](T to) {
     if (!stack.empty())
       depth += std::min(to - from, std::numeric_limits<T>::max()) *
-               world.surfaces[static_cast<std::size_t>(world.bodies[stack.back()].surface)].absorption;
+               world.surfaces[static_cast<std::size_t>(world.bodies[stack.back()].surface)].extinction;
     from = to;
   };
   for (const Crossed& each : met) {
@@ -172,12 +172,12 @@ template <class T, class AnyRay>
     for (; id != filters.end() && &world.surface(*id) == &surface; ++id)
       transmittance *= transmittance_by_crossings(
           world, shadow, t_max, tests, *id, [&](const Vec3<T>& point, bool leaving) { chord.cross(point, leaving); });
-    transmittance *= beer_lambert(surface.absorption, chord.length_inside());
+    transmittance *= beer_lambert(surface.extinction, chord.length_inside());
     if (&surface == medium) medium = nullptr;  // the ray has exited it, and that was counted
   }
   if (medium != nullptr && medium->absorbs)
     transmittance *=
-        beer_lambert(medium->absorption, std::min(t_max * length(shadow.direction), std::numeric_limits<T>::max()));
+        beer_lambert(medium->extinction, std::min(t_max * length(shadow.direction), std::numeric_limits<T>::max()));
   return transmittance;
 }
 

@@ -10,8 +10,8 @@
 
 namespace raywalk {
 
-/// The counters of a trace. Rays formed = hit + missed + blocked + reached_light; the other endings count rays not
-/// formed.
+/// The counters of a trace. Rays formed = hit + missed + blocked + reached_light + scattered; the other endings count
+/// rays not formed.
 struct Statistics {
   std::array<std::uint64_t, ray_kind_count> rays{};
   std::array<std::uint64_t, ending_count> ended{};

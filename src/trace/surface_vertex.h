@@ -19,6 +19,8 @@ namespace detail {
     case Lobe::diffuse:
     case Lobe::highlight:
       break;
+    case Lobe::phase:
+      return Effect::scattering;
     case Lobe::mirror:
       return Effect::gloss;
     case Lobe::transparent:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <type_traits>
 #include <unordered_map>
@@ -22,8 +23,9 @@ T lobe(double degrees) {
 template <class T>
 typename World<T>::Surface surface_of(const Material& m, Integrator integrator, const EffectSwitches& on) {
   const bool fixed = m.normal == ShadingNormal::fixed && !traits_of(integrator).is_global;  // trace/path.h
-  const bool absorbs = m.transmits() && !is_black(m.absorption);
-  typename World<T>::Surface surface{{Rgb<T>(m.absorption), static_cast<T>(m.ior), absorbs},
+  const Rgbd extinction = m.absorption + m.scattering;
+  const bool absorbs = m.transmits() && !is_black(extinction);
+  typename World<T>::Surface surface{{Rgb<T>(extinction), static_cast<T>(m.ior), absorbs},
                                      Rgb<T>(m.ambient),
                                      Rgb<T>(m.diffuse),
                                      Rgb<T>(m.specular),
@@ -40,8 +42,20 @@ typename World<T>::Surface surface_of(const Material& m, Integrator integrator, 
                                      {}};
   if (m.texture && m.texture->pixels)
     surface.texture = {m.texture->pixels, static_cast<T>(m.texture->width), static_cast<T>(m.texture->height)};
-  surface.filter = surface.transmission;
   surface.priority = m.priority;
+  if (integrator == Integrator::path && m.scatters_inside()) {
+    constexpr T most = 1 - std::numeric_limits<T>::epsilon();
+    surface.scatters = true;
+    surface.scattering = Rgb<T>(m.scattering);
+    surface.anisotropy = std::clamp(static_cast<T>(m.anisotropy), -most, most);
+    const Rgbd all = m.dielectric ? m.reflection + m.transmission : m.transmission;
+    surface.seamless = m.ior == 1 && all == Rgbd(1.0) && (m.dielectric || !m.reflects()) && is_black(m.diffuse) &&
+                       is_black(m.specular) && !m.emits() && m.translucency == 0;
+    // Where nothing is bent, lights are seen from inside.
+    if (surface.seamless)
+      surface.filters_shadows = true, surface.transmission = Rgb<T>(1), surface.reflection = Rgb<T>(0);
+  }
+  surface.filter = surface.transmission;
   if (draws_random(integrator)) {
     surface.gloss = lobe<T>(m.gloss);
     surface.translucency = lobe<T>(m.translucency);
@@ -210,6 +224,11 @@ World<T>::World(const Scene& scene, AcceleratorKind kind, std::optional<Fault> i
       occludes(scene.render.switches.shadows),
       epsilon(static_cast<T>(scene.render.epsilon)) {
   absorbs = std::any_of(surfaces.begin(), surfaces.end(), [](const Surface& each) { return each.absorbs; });
+  if (effects.used(Effect::scattering))
+    for (int id = 0; id < accelerator.primitives().size(); ++id) {
+      Surface& its = surfaces[static_cast<std::size_t>(&surface(id) - surfaces.data())];
+      its.endless = its.endless || (its.scatters && !accelerator.primitives().box(id).bounded());
+    }
   for (int id = 0; id < accelerator.primitives().size(); ++id) {
     if (!surface(id).filters_shadows) {
       shadow_roles.push_back(ShadowRole::stops);

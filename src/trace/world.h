@@ -51,9 +51,13 @@ struct World {
 
   /// What light travels in; air has none.
   struct Medium {
-    Rgb<T> absorption{0};  ///< per unit of length
-    T ior = 1;             ///< of air; a scene's default is that of Material
-    bool absorbs = false;  ///< transmits, and absorption is not black
+    Rgb<T> extinction{0};   ///< absorption and scattering, per unit of length
+    T ior = 1;              ///< of air; a scene's default is that of Material
+    bool absorbs = false;   ///< transmits, and extinction is not black
+    bool scatters = false;  ///< for paths, which then walk inside (trace/medium_walk.h); all others lose what scatters
+    bool endless = false;   ///< scatters, and is unbounded
+    T anisotropy = 0;       ///< g, in -1..1 without the ends
+    Rgb<T> scattering{0};   ///< per unit of length
   };
 
   /// A material in T, and the medium behind the surface.
@@ -65,9 +69,10 @@ struct World {
     bool lit_from_behind;  ///< highlights of lights behind it show
     std::optional<Checker> checker;
     std::optional<ImageTexture> texture;
-    bool nests = false;   ///< the world has bodies that can nest
-    double priority = 0;  ///< where bodies overlap, the highest wins
-    Rgb<T> filter{1};     ///< of shadow rays, at each crossing
+    bool nests = false;     ///< the world has bodies that can nest
+    double priority = 0;    ///< where bodies overlap, the highest wins
+    Rgb<T> filter{1};       ///< of shadow rays, at each crossing
+    bool seamless = false;  ///< scatters inside, and is itself neither seen nor felt where the indices are equal
     /// 1 - cos of the half angle of the lobes about the mirrored and the refracted direction; 0: sharp.
     T gloss = 0, translucency = 0;
   };

@@ -11,7 +11,8 @@ namespace {
 constexpr Effect all_effects[] = {Effect::shadows,        Effect::reflection,   Effect::refraction,
                                   Effect::gloss,          Effect::translucency, Effect::penumbra,
                                   Effect::depth_of_field, Effect::motion_blur,  Effect::antialiasing,
-                                  Effect::indirect_light, Effect::textures,     Effect::sky};
+                                  Effect::indirect_light, Effect::textures,     Effect::sky,
+                                  Effect::scattering};
 
 Scene scene_of(const Material& material) {
   Scene scene;
@@ -126,4 +127,28 @@ TEST_CASE("indirect light is called for by paths where a surface sends light on"
   CHECK(effects_of(scene)[Effect::shadows].why == "Coal emits, and paths look for it from all surfaces");
   scene.render.integrator = Integrator::whitted;
   CHECK_FALSE(effects_of(scene).used(Effect::shadows));
+}
+
+TEST_CASE("scattering is called for by bodies that light gets into, and only paths walk inside") {
+  Material milk;
+  milk.scattering = Rgbd(1.0);
+  Scene scene = scene_of(milk);
+  scene.render.integrator = Integrator::path;
+  CHECK(effects_of(scene)[Effect::scattering].why == "none: no body scatters light inside");
+  milk.transmission = Rgbd(1.0);
+  scene = scene_of(milk);
+  CHECK(effects_of(scene)[Effect::scattering].why == "none: whitted takes light that is scattered inside as absorbed");
+  scene.render.integrator = Integrator::path;
+  CHECK(effects_of(scene)[Effect::scattering].why == "Ball scatters light inside");
+}
+
+TEST_CASE("light is scattered only in what encloses something and can be left") {
+  Material milk;
+  milk.transmission = Rgbd(1.0);
+  milk.scattering = Rgbd(1.0);
+  CHECK(why_no_walk_inside({"Ball", Sphere<double>{}, milk}).empty());
+  CHECK(why_no_walk_inside({"Disk", Disk<double>{}, milk}).find("encloses nothing") != std::string::npos);
+  CHECK(why_no_walk_inside({"Sea", Plane<double>{}, milk}).find("has no end") != std::string::npos);
+  milk.absorption = Rgbd(0.1);
+  CHECK(why_no_walk_inside({"Sea", Plane<double>{}, milk}).empty());
 }

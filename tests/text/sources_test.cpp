@@ -182,7 +182,8 @@ TEST_CASE("what a text wants filled in is what the sources give it") {
       "structure.test_nearest",   "structure.test_farther",     "structure.test_blocks",
       "structure.test_filters",   "question.unsaved_new",       "question.unsaved_open",
       "question.unsaved_quit",    "question.unsaved_link",      "walk.photon_diffused",
-      "walk.photon_in_highlight", "walk.photon_mirrored",       "walk.photon_passed"};
+      "walk.photon_in_highlight", "walk.photon_mirrored",       "walk.photon_passed",
+      "walk.direction_scattered"};
   std::map<std::string, bool> filled;
   for (const Use& use : uses()) {
     if (use.arguments.empty()) continue;

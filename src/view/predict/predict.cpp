@@ -32,6 +32,7 @@ int answered_at(const State& state, const PredictionAsked& asked) {
 Target met_by(const RayRecord& ray) {
   switch (ray.ending) {
     case Ending::hit:
+    case Ending::scattered:
     case Ending::blocked:
       return {TargetKind::object, ray.object};
     case Ending::reached_light:

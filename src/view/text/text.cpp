@@ -68,6 +68,8 @@ std::string_view symbol(Ending ending) {
       return "/";
     case Ending::outside_cone:
       return "v";
+    case Ending::scattered:
+      return "s";
   }
   return "";
 }

@@ -32,6 +32,7 @@ std::string label_of(const State& state, const RayRecord& ray) {
   std::string name = name_of(state, ray);
   switch (ray.ending) {
     case Ending::hit:
+    case Ending::scattered:
     case Ending::reached_light:
       return name;
     case Ending::blocked:

@@ -204,6 +204,7 @@ class EquationWriter {
       case Ending::missed:
       case Ending::blocked:
       case Ending::reached_light:
+      case Ending::scattered:
         return;
     }
   }
