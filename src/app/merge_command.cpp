@@ -37,10 +37,8 @@ class Merged {
     std::visit(
         [&]<class T>(Film<T>& film) {
           const auto& from = std::get<Film<T>>(part.film);
-          Tiles(part.size).for_share(part.share, [&](const PixelBlock& tile) {
-            for (int row = tile.row_begin; row < tile.row_end; ++row)
-              for (int column = tile.column_begin; column < tile.column_end; ++column)
-                film.set(column, row, from.at(column, row));
+          Tiles(part.size).for_rows(part.share, [&](int row, int first, int columns) {
+            for (int column = first; column < first + columns; ++column) film.set(column, row, from.at(column, row));
           });
         },
         whole_.film);

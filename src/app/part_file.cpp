@@ -23,19 +23,10 @@ constexpr std::size_t max_head = 1 << 20;
 
 static_assert(std::endian::native == std::endian::little);
 
-/// Calls take(row, first column, columns) for each piece of a row.
-template <class Take>
-void for_pieces(ImageSize size, const Share& share, Take take) {
-  Tiles(size).for_share(share, [&](const PixelBlock& tile) {
-    for (int row = tile.row_begin; row < tile.row_end; ++row)
-      take(row, tile.column_begin, tile.column_end - tile.column_begin);
-  });
-}
-
 template <class T>
 std::size_t bytes_of(ImageSize size, const Share& share) {
   std::size_t pixels = 0;
-  for_pieces(size, share, [&](int, int, int columns) { pixels += static_cast<std::size_t>(columns); });
+  Tiles(size).for_rows(share, [&](int, int, int columns) { pixels += static_cast<std::size_t>(columns); });
   return pixels * sizeof(Rgb<T>);
 }
 
@@ -113,7 +104,7 @@ Result<void> write_part(const std::string& path, const PicturePart& part) {
   std::string content = head_of(part);
   std::visit(
       [&]<class T>(const Film<T>& film) {
-        for_pieces(part.size, part.share, [&](int row, int column, int columns) {
+        Tiles(part.size).for_rows(part.share, [&](int row, int column, int columns) {
           content.append(reinterpret_cast<const char*>(&film.at(column, row)),
                          static_cast<std::size_t>(columns) * sizeof(Rgb<T>));
         });
@@ -155,7 +146,7 @@ Result<PicturePart> read_part(const std::string& path) {
       [&]<class T>(Film<T>& film) {
         const char* from = content.data() + head_end + 1;
         if (content.size() - head_end - 1 != bytes_of<T>(part.size, part.share)) return false;
-        for_pieces(part.size, part.share, [&](int row, int column, int columns) {
+        Tiles(part.size).for_rows(part.share, [&](int row, int column, int columns) {
           for (int i = 0; i < columns; ++i, from += sizeof(Rgb<T>)) {
             T channels[3];
             static_assert(sizeof channels == sizeof(Rgb<T>));

@@ -110,27 +110,8 @@ struct ShapeTraits<Quadric<T, Kind>> {
                                                                                                      : s.radii.z);
   }
   static Vec3d centre(const S& s) { return {0, 0, (low(s) + high(s)) / 2}; }
-  /// Squared radius of the cross section at height z, relative to the radii; negative where there is none.
-  static double square(const S& s, double z) {
-    const double zr = z / static_cast<double>(s.radii.z);
-    switch (Kind) {
-      case QuadricKind::ellipsoid:
-        return 1 - zr * zr;
-      case QuadricKind::elliptic_paraboloid:
-        return z;
-      case QuadricKind::cone:
-        return z * z;
-      case QuadricKind::cylinder:
-        return 1;
-      case QuadricKind::hyperboloid_one_sheet:
-        return 1 + zr * zr;
-      case QuadricKind::hyperboloid_two_sheets:
-        return zr * zr - 1;
-    }
-    return 0;
-  }
   static Vec3d ring(const S& s, Random& random, double z, double share) {
-    const double angle = random.real(-3.2, 3.2), reach = share * std::sqrt(std::max(0.0, square(s, z)));
+    const double angle = random.real(-3.2, 3.2), reach = share * std::sqrt(std::max(0.0, squared_section(s, z)));
     return {static_cast<double>(s.radii.x) * reach * std::cos(angle),
             static_cast<double>(s.radii.y) * reach * std::sin(angle), z};
   }
@@ -149,7 +130,7 @@ struct ShapeTraits<Quadric<T, Kind>> {
       // A few regula falsi steps over the height bring g.view to 0 along this meridian.
       for (int step = 0; step < 3; ++step) {
         const auto slope_at = [&](double at) {
-          const double reach = std::sqrt(std::max(0.0, square(s, at)));
+          const double reach = std::sqrt(std::max(0.0, squared_section(s, at)));
           const Vec3d p(static_cast<double>(s.radii.x) * reach * std::cos(angle),
                         static_cast<double>(s.radii.y) * reach * std::sin(angle), at);
           return std::pair(p, raywalk::dot(gradient(s, p), p - eye));

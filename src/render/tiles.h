@@ -31,6 +31,14 @@ class Tiles {
     for (int tile = 0; tile < count(); ++tile)
       if ((tile % across_ + tile / across_ % share.of * shift) % share.of == share.part - 1) take(block(tile));
   }
+  /// Calls `take(row, first column, columns)` for each row of each of these.
+  template <class Take>
+  void for_rows(const Share& share, Take take) const {
+    for_share(share, [&](const PixelBlock& tile) {
+      for (int row = tile.row_begin; row < tile.row_end; ++row)
+        take(row, tile.column_begin, tile.column_end - tile.column_begin);
+    });
+  }
 
  private:
   static constexpr int edge = 32;

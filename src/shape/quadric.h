@@ -70,6 +70,27 @@ template <class T, QuadricKind Kind>
   return {quadric.radii.x * angle, point.position.z};
 }
 
+/// The section of the wall at a height: the square of its radius in units of rx and ry; negative where there is none.
+template <class T, QuadricKind Kind>
+[[nodiscard]] double squared_section(const Quadric<T, Kind>& quadric, double z) {
+  const double own = z / static_cast<double>(quadric.radii.z);
+  switch (Kind) {
+    case QuadricKind::ellipsoid:
+      return 1 - own * own;
+    case QuadricKind::elliptic_paraboloid:
+      return z;
+    case QuadricKind::cone:
+      return z * z;
+    case QuadricKind::cylinder:
+      return 1;
+    case QuadricKind::hyperboloid_one_sheet:
+      return 1 + own * own;
+    case QuadricKind::hyperboloid_two_sheets:
+      return own * own - 1;
+  }
+  return -1;
+}
+
 /// Infinite for an unbounded quadric.
 template <class T, QuadricKind Kind>
 [[nodiscard]] Bounds<T> bounds(const Quadric<T, Kind>& quadric);

@@ -221,27 +221,6 @@ void cut(Cutter& to, const Sphere<double>& sphere) {
   to.swept(0, round_profile(to.sides(radius) / 2, -pole, pole, radius), radius, radius, sphere.centre);
 }
 
-/// Squared radius of the wall at a height; negative: none.
-template <QuadricKind Kind>
-double squared_radius(const Quadric<double, Kind>& quadric, double z) {
-  const double own = z / quadric.radii.z;
-  switch (Kind) {
-    case QuadricKind::ellipsoid:
-      return 1 - own * own;
-    case QuadricKind::elliptic_paraboloid:
-      return z;
-    case QuadricKind::cone:
-      return z * z;
-    case QuadricKind::cylinder:
-      return 1;
-    case QuadricKind::hyperboloid_one_sheet:
-      return 1 + own * own;
-    case QuadricKind::hyperboloid_two_sheets:
-      return own * own - 1;
-  }
-  return -1;
-}
-
 template <QuadricKind Kind>
 void cut(Cutter& to, const Quadric<double, Kind>& quadric) {
   const double rx = quadric.radii.x, ry = quadric.radii.y;
@@ -249,7 +228,7 @@ void cut(Cutter& to, const Quadric<double, Kind>& quadric) {
   if (Kind == QuadricKind::ellipsoid) low = std::max(low, -quadric.radii.z), high = std::min(high, quadric.radii.z);
   if (Kind == QuadricKind::elliptic_paraboloid) low = std::max(low, 0.0);
   if (!(std::isfinite(low) && std::isfinite(high) && low < high)) return;
-  const auto radius = [&](double z) { return std::sqrt(std::max(squared_radius(quadric, z), 0.0)); };
+  const auto radius = [&](double z) { return std::sqrt(std::max(squared_section(quadric, z), 0.0)); };
   if (Kind == QuadricKind::ellipsoid) {
     const auto angle = [&](double z) {
       const double s = std::clamp(z / quadric.radii.z, -1.0, 1.0);
@@ -271,7 +250,7 @@ void cut(Cutter& to, const Quadric<double, Kind>& quadric) {
     std::sort(heights.begin(), heights.end());
     std::vector<Vec2d> profile;
     for (const double z : heights) {
-      if (squared_radius(quadric, z) >= 0) {
+      if (squared_section(quadric, z) >= 0) {
         profile.push_back({radius(z), z});
       } else {  // between two sheets
         to.swept(0, profile, rx, ry);
@@ -282,9 +261,9 @@ void cut(Cutter& to, const Quadric<double, Kind>& quadric) {
   }
   using Whole = Quadric<double, Kind>;
   if (!quadric.capped) return;
-  if (std::isfinite(quadric.z_min) && squared_radius(quadric, quadric.z_min) > 0)
+  if (std::isfinite(quadric.z_min) && squared_section(quadric, quadric.z_min) > 0)
     to.lid(Whole::low_cap, quadric.z_min, radius(quadric.z_min), rx, ry, false);
-  if (std::isfinite(quadric.z_max) && squared_radius(quadric, quadric.z_max) > 0)
+  if (std::isfinite(quadric.z_max) && squared_section(quadric, quadric.z_max) > 0)
     to.lid(Whole::high_cap, quadric.z_max, radius(quadric.z_max), rx, ry, true);
 }
 
