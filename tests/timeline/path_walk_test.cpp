@@ -133,6 +133,33 @@ TEST_CASE("every message about a sky is reached") {
   }
 }
 
+TEST_CASE("every message about a body that scatters light is reached, and names the body") {
+  Scene scene = room();
+  scene.render.path_length = 0;
+  Material milk;
+  milk.diffuse = milk.specular = Rgbd(0.0);
+  milk.transmission = Rgbd(1.0);
+  milk.ior = 1;
+  milk.scattering = Rgbd(4.0);
+  scene.objects.push_back({"Milk", Sphere<double>{{-1, 0, 0}, 0.8}, milk});
+  std::set<std::string_view> found;
+  const Timeline timeline = record_strip(scene);
+  for (int position = 1; position <= timeline.steps(); ++position) {
+    const Message message = describe(scene, timeline, position);
+    found.insert(message.id);
+    if (message.id == "walk.direction_scattered") CHECK(std::get<std::string>(message.arguments.at(0).value) == "Milk");
+    if (message.id != "walk.scattered_inside") continue;
+    const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(timeline.current_ray(position))];
+    CHECK(ray.ending == Ending::scattered);
+    CHECK(scene.objects[static_cast<std::size_t>(ray.object)].name == "Milk");
+    CHECK(length(ray.end - Vec3d(-1, 0, 0)) <= 0.8 + 1e-9);
+  }
+  for (const std::string_view id : test::scattering_messages) {
+    INFO(id);
+    CHECK(found.count(id) == 1);
+  }
+}
+
 TEST_CASE("a hit is named to the triangle of a mesh and the member of a group") {
   auto mesh = std::make_shared<Mesh>();
   mesh->positions = {{0, -1, -1}, {0, 1, -1}, {0, 1, 1}, {0, -1, 1}};
