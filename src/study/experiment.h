@@ -51,6 +51,7 @@ struct Experiment {
 [[nodiscard]] Experiment scene_experiment(Effort effort);
 [[nodiscard]] Experiment photon_experiment(Effort effort, const Faults& faults = {});
 [[nodiscard]] Experiment radiosity_experiment(Effort effort, const Faults& faults = {});
+[[nodiscard]] Experiment scattering_experiment(Effort effort, const Faults& faults = {});
 [[nodiscard]] Experiment sky_experiment(Effort effort, const Faults& faults = {});
 
 /// In the order of their numbers.

@@ -69,6 +69,8 @@ TEST_CASE("planted: a wrong reference is found") {
   CHECK(names(broken_in(depth_experiment(Effort::glance, {0, 1.001, false})), "depth: mirror 0.3"));
   CHECK(names(broken_in(sky_experiment(Effort::glance, {0, 1.05, false})), "sky: surface, overcast"));
   CHECK(names(broken_in(radiosity_experiment(Effort::glance, {0, 1.05, false})), "radiosity: ball, mean"));
+  CHECK(names(broken_in(scattering_experiment(Effort::glance, {0, 1.05, false})),
+              "scattering: walks, normal, albedo 0.9"));
   CHECK(
       names(broken_in(photon_experiment(Effort::glance, {0, 1.05, false})), "photons: k = 17, k - 1 over the circle"));
 }
