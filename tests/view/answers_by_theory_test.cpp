@@ -93,6 +93,10 @@ constexpr std::array theory{
     Theory{"15-photons", "glass", "2"},
     Theory{"15-photons", "circle", "59"},  // 60, without the one on the edge
     Theory{"15-photons", "caustic", "1"},
+    Theory{"16-light-inside", "white", "2"},
+    Theory{"16-light-inside", "in", "2"},     // 24 free paths through the middle: exp(-24)
+    Theory{"16-light-inside", "tenth", "2"},  // Chandrasekhar: 1 - sqrt(0.1) H(1) = 0.415
+    Theory{"16-light-inside", "ahead", "3"},
     Theory{"18-rays-with-width", "one-ray", "1"},
     Theory{"18-rays-with-width", "coverage", "0.3"},  // 0.405 - 0.315 of the slopes from 0.15 to 0.45
     Theory{"18-rays-with-width", "mirror", "2"},

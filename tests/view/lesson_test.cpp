@@ -5,6 +5,7 @@
 #include "view/walk/asked.h"
 #include "view/walk/status.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -45,7 +46,10 @@ void go_to_question(State& state, Asks asks) {
 TEST_CASE("the list holds all lessons, of which the first is open to a student") {
   const State state = with_lessons();
   const auto rows = lesson_panel(state).rows;
-  REQUIRE(rows.size() == 16);
+  const auto folders = std::filesystem::directory_iterator(RAYWALK_SOURCE_DIR "/lessons");
+  REQUIRE(static_cast<std::ptrdiff_t>(rows.size()) ==
+          std::count_if(begin(folders), end(folders),
+                        [](const auto& entry) { return std::filesystem::exists(entry.path() / "lesson.toml"); }));
   CHECK(rows[0].title == "Ray casting");
   CHECK_FALSE(rows[0].locked);
   for (std::size_t i = 1; i < rows.size(); ++i) CHECK(rows[i].locked);
