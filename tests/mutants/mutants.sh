@@ -202,3 +202,15 @@ mutant beams_shadows_of_one_corner beams trace/unfolded_plan.cpp 'corner(outline
 mutant beams_sun_at_a_place beams trace/unfolded_plan.cpp 'light.is_distant ? place : at - place' 'at - place'
 mutant beams_round_shadows_too_wide beams trace/unfolded_plan.cpp 'c0 * c0 - outline.square * dot(w0, w0)' 'c0 * c0 - 4.0 * outline.square * dot(w0, w0)'
 mutant beams_round_shadows_of_the_sun_too_wide beams trace/unfolded_plan.cpp 'square = outline.square * dot(place, place)' 'square = outline.square'
+
+# Light inside bodies.
+mutant media_back_for_on media trace/phase.h '(g < 0 ? -g * (1 + cos) : g * (1 - cos))' '(g < 0 ? -g * (1 - cos) : g * (1 + cos))'
+mutant media_plan_as_space media trace/phase.h 'if (flat) return lost' 'if (false) return lost'
+mutant media_cosine_of_the_textbook_half media trace/phase.h 'g / 2 * (s * s + 3)' 'g * (s * s + 3)'
+mutant media_plan_turned_back media trace/phase.h 'ahead = (1 + g) * cos_half, aside = (1 - g)' 'ahead = (1 - g) * cos_half, aside = (1 + g)'
+mutant media_sphere_squeezed media trace/phase.h 'std::sqrt((1 - cos) * (1 + cos));' '1 - cos;'
+mutant media_one_channel_for_all media trace/medium_walk.h 'return 1 / dot(odds, transmittance(distance));' 'return 1 / transmittance(distance).x;'
+mutant media_absorption_forgotten media trace/medium_walk.h 'return left * medium->scattering * (1' 'return left * medium->extinction * (1'
+mutant media_absorption_scatters media trace/medium_walk.h 'dot(odds, left * medium->extinction)' 'dot(odds, left * medium->scattering)'
+mutant media_odds_of_all_alike media trace/medium_walk.h 'odds = sum > 0 ? throughput * (1 / sum) : Rgb<T>(T(1) / 3);' 'odds = Rgb<T>(T(1) / 3);'
+mutant media_free_path_inverted media trace/medium_walk.h '-portable::log1p(-u) / extinction' '-portable::log1p(-u) * extinction'

@@ -42,6 +42,7 @@ verdict() {
   [[ $2 == stack ]] && program=("-I$root/tests" "$root/tests/trace/body_stack_test.cpp") libraries=("${catch2[@]}")
   [[ $2 == photons ]] && program=("-I$root/tests" "$root/tests/trace/photon_map_test.cpp" "$4/src/trace/photon_map.cpp") \
     libraries=("${catch2[@]}")
+  [[ $2 == media ]] && program=("-I$root/tests" "$root/tests/trace/"{phase,free_path}_test.cpp "$4/src/math/sampler.cpp") libraries=("${catch2[@]}")
   [[ $2 == radiosity ]] && program=("-I$root/tests" "$root/tests/trace/form_factor_test.cpp" "$4/src/trace/form_factor.cpp") \
     libraries=("${catch2[@]}")
   [[ $2 == beams ]] && program=("-I$root/tests" -DRAYWALK_GMP "$root/tests/trace/beam_cut_test.cpp" "$4/src/trace/unfolded_plan.cpp") \
