@@ -83,6 +83,9 @@ std::string gloss(const Material& material, PovLosses& losses) {
   return text;
 }
 
+/// Of what is inside; scattered light is lost.
+Rgbd extinction(const Material& material) { return material.absorption + material.scattering; }
+
 }  // namespace
 
 std::string pov_texture(const Material& material, const std::optional<FlatFrame>& frame, PovLosses& losses) {
@@ -99,7 +102,8 @@ std::string pov_texture(const Material& material, const std::optional<FlatFrame>
   const Rgbd kept = material.reflection + material.transmission;
   if (transmits && std::min({kept.x, kept.y, kept.z}) < 1 - rounding)
     losses.insert("light lost in total internal reflection and by dielectrics: it is reflected in full");
-  if (transmits && !is_black(material.absorption) && (material.reflects() || material.dielectric))
+  if (material.scatters_inside()) losses.insert("light that is scattered inside of an object, which is absorbed");
+  if (transmits && !is_black(extinction(material)) && (material.reflects() || material.dielectric))
     losses.insert("absorption along rays that are reflected inside of an object");
   std::vector<ColouredPart> parts = parts_of(material);
   // Layers from top to bottom. Each covers a fraction of what is below it, so that all contribute equally; together
@@ -140,11 +144,11 @@ std::string pov_texture(const Material& material, const std::optional<FlatFrame>
 std::string pov_interior(const Material& material) {
   if (!material.transmits()) return {};
   std::string text = fmt::format("interior {{ ior {}", material.ior);
-  if (!is_black(material.absorption)) {
+  if (!is_black(extinction(material))) {
     // POV-Ray computes exp(-a d) for a fade_power above 1000: exp(-(1 - colour) d / distance).
-    const double most = max_component(material.absorption);
+    const double most = max_component(extinction(material));
     text += fmt::format(" fade_power 1001 fade_distance {} fade_color {}", 1 / most,
-                        pov_colour(Rgbd(1.0) - material.absorption / most));
+                        pov_colour(Rgbd(1.0) - extinction(material) / most));
   }
   return text + " }";
 }

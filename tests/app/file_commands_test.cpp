@@ -65,6 +65,9 @@ TEST_CASE("convert writes POV-Ray's language, and says what of a scene is not in
   CHECK(outcome.exit_code == 0);
   CHECK_THAT(outcome.err, contains("fixed normals"));
   CHECK_THAT(outcome.err, contains("sRGB"));
+  const Outcome milk = folder.run({"convert", RAYWALK_SOURCE_DIR "/scenes/milk.toml", "milk.pov"});
+  CHECK(milk.exit_code == 0);
+  CHECK_THAT(milk.err, contains("scattered inside"));
 }
 
 TEST_CASE("convert and generate refuse what they cannot write, and leave nothing behind") {
