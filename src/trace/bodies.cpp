@@ -130,9 +130,10 @@ class Sorter {
   using Glass = std::array<T, 8>;
   [[nodiscard]] std::pair<Glass, double> glass(std::int32_t surface) const {
     const auto& inside = world_.surfaces[static_cast<std::size_t>(surface)];
-    return {{inside.ior, inside.extinction.x, inside.extinction.y, inside.extinction.z, inside.scattering.x,
-             inside.scattering.y, inside.scattering.z, inside.anisotropy},
-            inside.priority};
+    const auto scattering = inside.scatters() ? world_.scatterings[static_cast<std::size_t>(inside.scattering)]
+                                              : typename World<T>::Scattering{};
+    const Rgb<T>&lost = inside.extinction, &on = scattering.coefficient;
+    return {{inside.ior, lost.x, lost.y, lost.z, on.x, on.y, on.z, scattering.anisotropy}, inside.priority};
   }
 
   const World<T>& world_;

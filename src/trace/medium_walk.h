@@ -20,12 +20,15 @@ namespace raywalk {
 template <class T>
 struct FreePath {
   const typename World<T>::Medium* medium = nullptr;  ///< null: it scatters nothing
-  Rgb<T> odds{0};                                     ///< with which each channel's free path is walked; they sum to 1
-  T length = infinity<T>;                             ///< to where it scatters, unless it gets to a surface before
+  typename World<T>::Scattering scattering{};
+  Rgb<T> odds{0};          ///< with which each channel's free path is walked; they sum to 1
+  T length = infinity<T>;  ///< to where it scatters, unless it gets to a surface before
 
   FreePath() = default;
   /// `choice`, `u`: drawn, in [0, 1).
-  FreePath(const typename World<T>::Medium& within, const Rgb<T>& throughput, T choice, T u) : medium(&within) {
+  FreePath(const typename World<T>::Medium& within, const typename World<T>::Scattering& how, const Rgb<T>& throughput,
+           T choice, T u)
+      : medium(&within), scattering(how) {
     const T sum = throughput.x + throughput.y + throughput.z;
     odds = sum > 0 ? throughput * (1 / sum) : Rgb<T>(T(1) / 3);
     int channel = 0;
@@ -40,7 +43,7 @@ struct FreePath {
   /// The light that goes on where it scatters, over the pdf of being scattered there.
   [[nodiscard]] Rgb<T> weight_where_scattered() const {
     const Rgb<T> left = transmittance(length);
-    return left * medium->scattering * (1 / dot(odds, left * medium->extinction));
+    return left * scattering.coefficient * (1 / dot(odds, left * medium->extinction));
   }
   [[nodiscard]] Rgb<T> transmittance(T distance) const {
     return beer_lambert(medium->extinction, std::min(distance, std::numeric_limits<T>::max()));

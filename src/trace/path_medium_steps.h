@@ -19,7 +19,7 @@ struct MediumDimension {
 template <class T>
 [[nodiscard]] int object_of(const World<T>& world, const typename World<T>::Medium* medium) {
   for (int id = 0; id < world.accelerator.primitives().size(); ++id) {
-    if (!world.surface(id).scatters) continue;
+    if (!world.surface(id).scatters()) continue;
     if (world.bodies.empty() ? medium == &world.surface(id)
                              : NestedMedia<T>::bodies_in(medium).back() == world.bodies.of_primitive(id))
       return world.object(id);
@@ -33,13 +33,14 @@ template <class T>
 template <class Policy>
 auto PathTracer<Policy>::draw_free_path(const PathRay& ray) -> Free {
   if constexpr (media) {
-    if (ray.medium == nullptr || !ray.medium->scatters) return {};
+    if (ray.medium == nullptr || !ray.medium->scatters()) return {};
     const T choice = draw<T>(camera_.sampler(),
                              key_at(ray.length, detail::MediumDimension::channel, Effect::scattering), camera_.count());
     const T u = draw<T>(camera_.sampler(), key_at(ray.length, detail::MediumDimension::distance, Effect::scattering),
                         camera_.count());
     statistics_.drew(Effect::scattering, 2);
-    return Free(*ray.medium, ray.throughput, choice, u);
+    return Free(*ray.medium, world_.scatterings[static_cast<std::size_t>(ray.medium->scattering)], ray.throughput,
+                choice, u);
   } else {
     return {};
   }
@@ -81,7 +82,7 @@ auto PathTracer<Policy>::scatter(const PathRay& ray, const Free& free) const -> 
   at.medium = at.behind = ray.medium;
   at.throughput = ray.throughput * free.weight_where_scattered();
   Vertex inside(at);
-  inside.phase = PhaseFunction<T>{ray.ray.direction, free.medium->anisotropy, settings_.flat};
+  inside.phase = PhaseFunction<T>{ray.ray.direction, free.scattering.anisotropy, settings_.flat};
   return inside;
 }
 

@@ -21,7 +21,8 @@ T lobe(double degrees) {
 }
 
 template <class T>
-typename World<T>::Surface surface_of(const Material& m, Integrator integrator, const EffectSwitches& on) {
+typename World<T>::Surface surface_of(const Material& m, Integrator integrator, const EffectSwitches& on,
+                                      std::vector<typename World<T>::Scattering>& scatterings) {
   const bool fixed = m.normal == ShadingNormal::fixed && !traits_of(integrator).is_global;  // trace/path.h
   const Rgbd extinction = m.absorption + m.scattering;
   const bool absorbs = m.transmits() && !is_black(extinction);
@@ -45,9 +46,8 @@ typename World<T>::Surface surface_of(const Material& m, Integrator integrator, 
   surface.priority = m.priority;
   if (integrator == Integrator::path && m.scatters_inside()) {
     constexpr T most = 1 - std::numeric_limits<T>::epsilon();
-    surface.scatters = true;
-    surface.scattering = Rgb<T>(m.scattering);
-    surface.anisotropy = std::clamp(static_cast<T>(m.anisotropy), -most, most);
+    surface.scattering = static_cast<std::int32_t>(scatterings.size());
+    scatterings.push_back({Rgb<T>(m.scattering), std::clamp(static_cast<T>(m.anisotropy), -most, most)});
     const Rgbd all = m.dielectric ? m.reflection + m.transmission : m.transmission;
     surface.seamless = m.ior == 1 && all == Rgbd(1.0) && (m.dielectric || !m.reflects()) && is_black(m.diffuse) &&
                        is_black(m.specular) && !m.emits() && m.translucency == 0;
@@ -186,7 +186,7 @@ class Flattener {
   /// Instances of a group share the surfaces of its objects.
   int surface_index(const Material* material) {
     const auto [entry, is_new] = surface_of_.emplace(material, static_cast<int>(world_.surfaces.size()));
-    if (is_new) world_.surfaces.push_back(surface_of<T>(*material, integrator_, switches_));
+    if (is_new) world_.surfaces.push_back(surface_of<T>(*material, integrator_, switches_, world_.scatterings));
     return entry->second;
   }
   void note(std::size_t count, int surface) {
@@ -227,7 +227,7 @@ World<T>::World(const Scene& scene, AcceleratorKind kind, std::optional<Fault> i
   if (effects.used(Effect::scattering))
     for (int id = 0; id < accelerator.primitives().size(); ++id) {
       Surface& its = surfaces[static_cast<std::size_t>(&surface(id) - surfaces.data())];
-      its.endless = its.endless || (its.scatters && !accelerator.primitives().box(id).bounded());
+      its.endless = its.endless || (its.scatters() && !accelerator.primitives().box(id).bounded());
     }
   for (int id = 0; id < accelerator.primitives().size(); ++id) {
     if (!surface(id).filters_shadows) {

@@ -49,15 +49,21 @@ struct World {
     [[nodiscard]] Rgb<T> at(const Vec2<T>& uv) const { return texture_colour<T>(*pixels, uv.x / width, uv.y / height); }
   };
 
-  /// What light travels in; air has none.
-  struct Medium {
-    Rgb<T> extinction{0};   ///< absorption and scattering, per unit of length
-    T ior = 1;              ///< of air; a scene's default is that of Material
-    bool absorbs = false;   ///< transmits, and extinction is not black
-    bool scatters = false;  ///< for paths, which then walk inside (trace/medium_walk.h); all others lose what scatters
-    bool endless = false;   ///< scatters, and is unbounded
+  /// How a medium scatters.
+  struct Scattering {
+    Rgb<T> coefficient{0};  ///< per unit of length
     T anisotropy = 0;       ///< g, in -1..1 without the ends
-    Rgb<T> scattering{0};   ///< per unit of length
+  };
+
+  /// What light travels in; air has none. Small, for every hit looks up a surface.
+  struct Medium {
+    Rgb<T> extinction{0};          ///< absorption and scattering, per unit of length
+    T ior = 1;                     ///< of air; a scene's default is that of Material
+    bool absorbs = false;          ///< transmits, and extinction is not black
+    bool endless = false;          ///< scatters, and is unbounded
+    std::int32_t scattering = -1;  ///< index into `scatterings`: for paths, which then walk inside
+                                   ///< (trace/medium_walk.h); all others lose what scatters
+    [[nodiscard]] bool scatters() const { return scattering >= 0; }
   };
 
   /// A material in T, and the medium behind the surface.
@@ -70,9 +76,9 @@ struct World {
     std::optional<Checker> checker;
     std::optional<ImageTexture> texture;
     bool nests = false;     ///< the world has bodies that can nest
+    bool seamless = false;  ///< scatters inside, and is itself neither seen nor felt where the indices are equal
     double priority = 0;    ///< where bodies overlap, the highest wins
     Rgb<T> filter{1};       ///< of shadow rays, at each crossing
-    bool seamless = false;  ///< scatters inside, and is itself neither seen nor felt where the indices are equal
     /// 1 - cos of the half angle of the lobes about the mirrored and the refracted direction; 0: sharp.
     T gloss = 0, translucency = 0;
   };
@@ -140,6 +146,7 @@ struct World {
                  std::optional<Fault> fault = std::nullopt, const Stop& stop = {});
 
   std::vector<Surface> surfaces;
+  std::vector<Scattering> scatterings;  ///< of the media that scatter
   std::vector<Light> lights;
   Rgb<T> background, ambient;
   std::shared_ptr<const SkyLight> sky;  ///< null: the background is the same everywhere

@@ -30,7 +30,7 @@ struct Mean {
 template <class T>
 void check_free_paths(const Rgbd& extinction, const Rgbd& scattering, const Rgbd& throughput, double distance) {
   typename World<T>::Medium medium;
-  medium.extinction = Rgb<T>(extinction), medium.scattering = Rgb<T>(scattering);
+  medium.extinction = Rgb<T>(extinction);
   Mean through, scattered;
   const int samples = rounds(1 << 20);
   for (int i = 0; i < samples; ++i) {
@@ -38,7 +38,7 @@ void check_free_paths(const Rgbd& extinction, const Rgbd& scattering, const Rgbd
     key.seed = 3;
     key.sample = static_cast<std::uint32_t>(i);
     const Vec2<T> u = draw_pair<T>(Sampler::random, key, Strata(1));
-    const FreePath<T> free(medium, Rgb<T>(throughput), u.x, u.y);
+    const FreePath<T> free(medium, {Rgb<T>(scattering)}, Rgb<T>(throughput), u.x, u.y);
     REQUIRE(free.length >= 0);
     const bool gets_there = free.length >= static_cast<T>(distance);
     through.add(gets_there ? Rgbd(free.transmittance(static_cast<T>(distance)) *
@@ -70,9 +70,9 @@ TEST_CASE("free paths bring what Beer's law says, whichever channel is walked") 
 
 TEST_CASE("a channel that can bring nothing is not walked") {
   World<double>::Medium medium;
-  medium.extinction = {1e-3, 5, 1e-3}, medium.scattering = {1e-3, 5, 1e-3};
+  medium.extinction = {1e-3, 5, 1e-3};
   for (double choice = 0; choice < 1; choice += 0.01) {
-    const FreePath<double> free(medium, Rgbd(0, 0.5, 0), choice, 0.5);
+    const FreePath<double> free(medium, {medium.extinction}, Rgbd(0, 0.5, 0), choice, 0.5);
     CHECK(free.length == Approx(std::log(2) / 5));
     CHECK(free.weight_where_scattered().y == Approx(1));
   }

@@ -2,6 +2,7 @@
 
 #include "support/catch.h"
 #include "support/table.h"
+#include "trace/enclosures.h"
 #include "trace/pictures.h"
 
 using namespace raywalk;
@@ -15,11 +16,6 @@ Material glowing_mirror(const Rgbd& reflectance, const Rgbd& emission) {
   material.emission = emission;
   return material;
 }
-
-const Shape<double> ball = Sphere<double>{{0.3, -0.2, 0.1}, 2};
-const Shape<double> box = Prism<double>{{{-2, -1.5}, {2, -1}, {1.7, 1.6}, {-1.4, 1.2}}, 3};
-// Not convex: rays pass behind corners.
-const Shape<double> bent = Prism<double>{{{-3, -3}, {3, -3}, {3, -0.5}, {0.5, -0.5}, {0.5, 3}, {-3, 3}}, 3};
 
 Scene furnace(const Shape<double>& shape, const Material& material, int depth) {
   Scene scene;
@@ -40,7 +36,7 @@ double series(double emission, double rho, int terms) {
 
 TEST_CASE("a mirror furnace shows E (1 - rho^N) / (1 - rho), N the deepest SHADE") {
   const Vec3d rho(0.5, 0.9, 1.0), emission(1, 0.5, 0.25);
-  const Shape<double>& shape = GENERATE(ball, box, bent);
+  const Shape<double>& shape = GENERATE(ball, quadrangle, bent);
   for (const int depth : {1, 2, 3, 5, 10, 40}) {
     const auto traced = picture<double>(furnace(shape, glowing_mirror(rho, emission), depth), 21, 15);
     const Rgbd expected(series(1, 0.5, depth), series(0.5, 0.9, depth), series(0.25, 1, depth));
@@ -57,7 +53,7 @@ TEST_CASE("a mirror furnace shows E (1 - rho^N) / (1 - rho), N the deepest SHADE
 
 TEST_CASE("no float ray leaks out of a mirror furnace either") {
   const auto traced =
-      picture<float>(furnace(GENERATE(ball, box, bent), glowing_mirror(Rgbd(0.9), Rgbd(1.0)), 60), 45, 31);
+      picture<float>(furnace(GENERATE(ball, quadrangle, bent), glowing_mirror(Rgbd(0.9), Rgbd(1.0)), 60), 45, 31);
   CHECK(traced.statistics.ends(Ending::missed) == 0);
   for (const Rgb<float>& pixel : traced.pixels)
     if (std::abs(static_cast<double>(pixel.x) / series(1, 0.9, 60) - 1) > 1e-5) FAIL("pixel of " << pixel.x);
@@ -74,7 +70,7 @@ TEST_CASE("closed emitters and mirrors of furnace.tsv") {
       ++emitters;
       const bool endless = row.text("reflections") == "inf";
       const int depth = endless ? 200 : static_cast<int>(row.number("reflections")) + 1;
-      const Scene scene = furnace(box, glowing_mirror(Rgbd(albedo), Rgbd(emitted)), depth);
+      const Scene scene = furnace(quadrangle, glowing_mirror(Rgbd(albedo), Rgbd(emitted)), depth);
       CHECK(picture<double>(scene, 1, 1).at(0, 0).x == Approx(expected).margin(tolerance).epsilon(0));
     } else if (row.text("setting") == "env_mirror") {
       ++mirrors;

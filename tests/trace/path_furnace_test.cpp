@@ -2,6 +2,7 @@
 
 #include "support/catch.h"
 #include "support/table.h"
+#include "trace/enclosures.h"
 #include "trace/paths.h"
 
 using namespace raywalk;
@@ -9,11 +10,7 @@ using namespace raywalk::test;
 
 namespace {
 
-const Shape<double> ball = Sphere<double>{{0.3, -0.2, 0.1}, 2};
-const Shape<double> prism = Prism<double>{{{-2, -1.5}, {2, -1}, {1.7, 1.6}, {-1.4, 1.2}}, 3};
 const Shape<double> cube = Box<double>{{-2, -1.5, -1}, {1.5, 2, 1.2}};
-// Not convex, and its caps are lights that no point is drawn of.
-const Shape<double> bent = Prism<double>{{{-3, -3}, {3, -3}, {3, -0.5}, {0.5, -0.5}, {0.5, 3}, {-3, 3}}, 3};
 
 Scene room(const Shape<double>& shape, const Material& material) {
   Scene scene;
@@ -45,7 +42,7 @@ TEST_CASE("furnaces of furnace.tsv, by paths") {
     const int length = length_of(row);
     ++rows;
     if (setting == "closed_emitter") {
-      for (const Shape<double>& shape : {ball, prism, cube, bent}) {
+      for (const Shape<double>& shape : {ball, quadrangle, cube, bent}) {
         CAPTURE(shape.index());
         const Scene scene = room(shape, matte(albedo, emitted));
         CHECK(light_along(scene, eye, target, 2, exactly(length)).mean.x == Approx(expected).margin(exact).epsilon(0));
