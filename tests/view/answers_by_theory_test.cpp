@@ -97,6 +97,10 @@ constexpr std::array theory{
     Theory{"16-light-inside", "in", "2"},     // 24 free paths through the middle: exp(-24)
     Theory{"16-light-inside", "tenth", "2"},  // Chandrasekhar: 1 - sqrt(0.1) H(1) = 0.415
     Theory{"16-light-inside", "ahead", "3"},
+    Theory{"17-skies-and-metals", "metal", "2"},
+    Theory{"17-skies-and-metals", "matt", "2"},
+    Theory{"17-skies-and-metals", "clouds", "0.78"},  // 7 / 9
+    Theory{"17-skies-and-metals", "wall", "0.39"},    // half of it
     Theory{"18-rays-with-width", "one-ray", "1"},
     Theory{"18-rays-with-width", "coverage", "0.3"},  // 0.405 - 0.315 of the slopes from 0.15 to 0.45
     Theory{"18-rays-with-width", "mirror", "2"},
@@ -122,6 +126,8 @@ constexpr std::array usual_mistakes{
     Theory{"13-whitted-to-path-tracing", "price", "4"},       // one to one
     Theory{"13-whitted-to-path-tracing", "one-or-two", "2"},  // a pair
     Theory{"15-photons", "circle", "60"},                     // with the one on the edge
+    Theory{"17-skies-and-metals", "clouds", "0.67"},          // the mean without the cosine
+    Theory{"17-skies-and-metals", "wall", "0.78"},            // the whole sky
     Theory{"18-rays-with-width", "coverage", "0.25"},         // a part of four
 };
 
