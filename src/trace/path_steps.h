@@ -73,20 +73,21 @@ bool PathTracer<Policy>::there_is(const std::optional<PathRay>& ray) {
 
 template <class Policy>
 auto PathTracer<Policy>::find_closest(PathRay& ray, [[maybe_unused]] Free& free) -> Arrival {
-  const Nearest nearest = world_.accelerator.closest(ray.ray, infinity<T>, statistics_.tests);
+  Arrival arrival{world_.accelerator.closest(ray.ray, infinity<T>, statistics_.tests)};
   if constexpr (media) {
-    if (scatters_before(ray, free, nearest)) {
+    if (scatters_before(ray, free, arrival)) {
+      arrival.scattered = true;
       ++statistics_.ends(Ending::scattered);
       note(Line::path_find_closest_intersection, ray.length, [&] { return describe_scattered(ray, free); });
-      return {nearest, true};
+      return arrival;
     }
   }
-  ++statistics_.ends(nearest ? Ending::hit : Ending::missed);
+  ++statistics_.ends(arrival ? Ending::hit : Ending::missed);
   note(Line::path_find_closest_intersection, ray.length, [&] {
-    return nearest ? detail::describe(ray.number, Ending::hit, world_, ray.ray, *nearest)
+    return arrival ? detail::describe(ray.number, Ending::hit, world_, ray.ray, *arrival)
                    : detail::describe_missed(ray.number, Ending::missed, world_, ray.ray);
   });
-  return Arrival{nearest};
+  return arrival;
 }
 
 template <class Policy>
