@@ -317,6 +317,13 @@ bool Form::pick(const FormLabel& of, const std::vector<std::string>& words, int&
   return now;
 }
 
+bool Form::pick(const FormLabel& of, const std::vector<std::string_view>& names, int& chosen) {
+  std::vector<std::string> words;
+  for (const std::string_view name : names)
+    words.emplace_back(family_text("choice", name, ui_.state.appearance.language));
+  return pick(of, words, chosen);
+}
+
 bool Form::text(const FormLabel& of, std::string& value) {
   row(of);
   const std::string id = "##" + name_;

@@ -68,6 +68,8 @@ class Form {
   bool flag(const FormLabel& label, bool& value);
   /// One of a few words; `chosen` is its index.
   bool pick(const FormLabel& label, const std::vector<std::string>& words, int& chosen);
+  /// The same of words that scene files use, shown in the language of the window.
+  bool pick(const FormLabel& label, const std::vector<std::string_view>& names, int& chosen);
   /// True once, when the typing has ended; `value` is then the new text.
   bool text(const FormLabel& label, std::string& value);
 

@@ -83,9 +83,8 @@ class SchemaForm {
   bool row(const FormLabel& label, const schema::Flag& /*kind*/, bool& value) { return form_.flag(label, value); }
   template <class T>
   bool row(const FormLabel& label, const schema::Choice<T>& /*kind*/, T& value) {
-    const std::vector<std::string_view> words = all_words<T>();
     int chosen = static_cast<int>(value);
-    if (!form_.pick(label, {words.begin(), words.end()}, chosen)) return false;
+    if (!form_.pick(label, all_words<T>(), chosen)) return false;
     value = static_cast<T>(chosen);
     return true;
   }
@@ -123,7 +122,7 @@ class SchemaForm {
 
   /// One of the kinds that need no file, or the one that it is.
   void pick_kind(AnySky& value, std::string_view sentence) {
-    std::vector<std::string> words;
+    std::vector<std::string_view> words;
     std::vector<AnySky> kinds;
     int chosen = 0;
     const auto offer = [&]<class Kind>(const Kind& kind) {

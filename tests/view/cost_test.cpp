@@ -153,11 +153,11 @@ TEST_CASE("each effect has a bar as long as its share of the rays, and one of th
                                "0% of the rays", "\u22121% of the time (\u22122% to 1%)", "25% of the rays"})
     CHECK(std::find(texts.begin(), texts.end(), expected) != texts.end());
   CHECK(survey_text(survey, 1, in_english) ==
-        "All together: 1000 rays in 0.5 s. Every effect, called for or not: 9 times the rays, 4 times the time.");
+        "All together: 1000 rays in 0.5 s. Every effect, used or not: 9 times the rays, 4 times the time.");
   study::SceneCost deep = survey;
   deep.everything.reset();
   CHECK(survey_text(deep, 1, in_english) ==
-        "All together: 1000 rays in 0.5 s. Every effect, called for or not, is not measured deeper than 10: its rays "
+        "All together: 1000 rays in 0.5 s. Every effect, used or not, is not measured deeper than 10: its rays "
         "double at every depth.");
   CHECK(survey_text({}, 0.25, in_english) == "measuring: 25%");
   CHECK(effect_bars(state, {}, 800, 300, 1).empty());

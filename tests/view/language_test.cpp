@@ -51,6 +51,12 @@ TEST_CASE("every member of a family has its text, and none is there for nobody")
   for (const Integrator integrator : values_of<Integrator>)
     ask("integrator", name_of(integrator), text(integrator, language));
   for (const Sampler sampler : values_of<Sampler>) ask("sampler", name_of(sampler), text(sampler, language));
+  const auto choose = [&](std::string_view name) { ask("choice", name, family_text("choice", name, language)); };
+  for (const ShadowKind kind : values_of<ShadowKind>) choose(name_of(kind));
+  for (const ShadingNormal normal : values_of<ShadingNormal>) choose(name_of(normal));
+  [&]<class... Kinds>(const std::variant<Kinds...>* /*all*/) {
+    (choose(Kinds::name), ...);
+  }(static_cast<const AnySky*>(nullptr));
   for (const Numerics numerics : values_of<Numerics>) ask("numerics", name_of(numerics), text(numerics, language));
   for (int i = 0; i < effect_count; ++i)
     ask("effect", name_of(static_cast<Effect>(i)), text(static_cast<Effect>(i), language));
@@ -66,7 +72,7 @@ TEST_CASE("every member of a family has its text, and none is there for nobody")
       CHECK(Catalogue::embedded().find("property." + std::string(id.substr(id.find('.') + 1))) != nullptr);
     if (family == "ray" && id.starts_with("ray.short_")) continue;
     for (const std::string_view own :
-         {"ray", "ending", "accelerator", "integrator", "sampler", "numerics", "effect", "fault"})
+         {"ray", "ending", "accelerator", "integrator", "sampler", "numerics", "effect", "fault", "choice"})
       if (family == own) CHECK(known.count(std::string(id)) == 1);
   }
 }
