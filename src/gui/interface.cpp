@@ -200,7 +200,7 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   // What lies below a dialog is not hovered over, though the pointer still rests there in the dialog's first frame.
   if (state.document.question || state.document.prompt != PathPrompt::none || state.link.shown)
     static_cast<void>(rest_.take_tip());
-  notice_bar(with, layout_.plan);
+  notice_bar(with, layout_.plan, layout_.strip);
   browser_.draw(with, home_, picture.gallery);
   link_dialog(with);
   question_dialog(with);
