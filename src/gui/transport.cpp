@@ -5,6 +5,7 @@
 #include "view/walk/status.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -15,6 +16,8 @@ namespace {
 // Lengths at scale 1.
 constexpr float margin = 14, small = 34, step_width = 106, min_speed_width = 84, max_speed_width = 124,
                 default_gap = 20, least_shrink = 0.6f;
+
+constexpr std::array big_buttons{"step", "play", "clear"};
 
 // The assignment to rows. What does not fit beside the big buttons moves down: the grain into the row of the scrub bar,
 // and in a very narrow window both grain and speed into their own row. Before that the speed slider and then the big
@@ -233,7 +236,15 @@ void transport_pane(const Ui& ui, const Rect& where) {
   y += rows.sentence + rows.gap;
 
   const ImVec2 step{ui.px(step_width) * rows.shrink, rows.big};
-  ImFont* font = rows.shrink < 0.85f ? ui.fonts.strong : ui.fonts.title;
+  // As large as the words of all three have room for.
+  const auto words_fit = [&](ImFont* font) {
+    const ButtonLook look{.look = Look::plain, .icon = Icon::none, .font = font};
+    return std::all_of(big_buttons.begin(), big_buttons.end(),
+                       [&](const char* name) { return button_width(ui, command(name), look) <= step.x + ui.px(12); });
+  };
+  ImFont* font = rows.shrink >= 0.85f && words_fit(ui.fonts.title) ? ui.fonts.title
+                 : words_fit(ui.fonts.strong)                      ? ui.fonts.strong
+                                                                   : ui.fonts.small;
   const bool playing = ui.state.walk.playing;
   ImGui::SetCursorScreenPos({left, y});
   command_button(ui, command("step-back"), {rows.big * rows.shrink, step.y},

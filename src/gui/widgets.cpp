@@ -275,8 +275,9 @@ void choice(const Ui& ui, const std::vector<const Command*>& commands, float hei
     in_short = true;
     width = widths();
   }
-  // Still too wide: each loses the same amount of padding.
+  // Still too wide: each loses the same amount of padding, and words that would touch are smaller.
   const float less = std::max(width - max_width, 0.0f) / static_cast<float>(commands.size());
+  if (less > ui.px(20) && font != ui.fonts.small) return choice(ui, commands, height, ui.fonts.small, max_width);
   width = std::min(width, max_width);
   const ImVec2 least = ImGui::GetCursorScreenPos();
   ImGui::GetWindowDrawList()->AddRectFilled(least, {least.x + width, least.y + height}, to_imgui(shades.raised),
