@@ -122,6 +122,9 @@ bool show_menu(const Ui& ui, const Menu& menu, bool open) {
   return true;
 }
 
+// Of the button for the language, at this height.
+float language_width(float height) { return height * 1.3f; }
+
 // Modes, undo, lessons and language, from `x` on, as far as there is room; returns where they end.
 float bar_buttons(const Ui& ui, const Rect& row, float x, float apart) {
   const float height = row.height - 2 * ui.px(6), y = row.y + ui.px(6);
@@ -145,9 +148,9 @@ float bar_buttons(const Ui& ui, const Rect& row, float x, float apart) {
     command_button(ui, each, {width, height}, small, label);
   };
   // The language also has a menu entry.
-  const float both = ui.px(10) + height * 1.3f + ui.px(6) + lessons;
+  const float both = ui.px(10) + language_width(height) + ui.px(6) + lessons;
   if (ImGui::GetItemRectMax().x + both <= row.right())
-    add(command("language"), height * 1.3f, command_label(command("language"), ui.state, true), ui.px(10));
+    add(command("language"), language_width(height), command_label(command("language"), ui.state, true), ui.px(10));
   const float room = row.right() - ImGui::GetItemRectMax().x;
   add(command("lessons"), std::min(lessons, std::max(room, ui.px(40))), {},
       std::min(ui.px(6), std::max(room - lessons, 0.0f)));
@@ -164,6 +167,17 @@ MenuContents menu_contents(int menu) {
     contents.sections.insert(contents.sections.end(), part.inner.begin(), part.inner.end());
   }
   return contents;
+}
+
+float bar_width(const Ui& ui) {
+  const float apart = ui.px(7), height = ui.px(32);
+  float sum = 0;
+  for (const Menu& each : menus) sum += ImGui::CalcTextSize(ui.say(each.title).c_str()).x + 2 * apart;
+  for (const Command* each : commands_in(Section::modes))
+    sum += button_width(ui, *each, {.look = Look::choice, .icon = Icon::none, .font = ui.fonts.strong});
+  const float lessons =
+      button_width(ui, command("lessons"), {.look = Look::flat, .icon = Icon::none, .font = ui.fonts.small});
+  return sum + 2 * apart + 2 * height + language_width(height) + lessons + ui.px(2 + 10 + 6);
 }
 
 int bar_pane(const Ui& ui, const Rect& where, int open_menu) {

@@ -198,8 +198,10 @@ void Browser::kinds(const Ui& ui) {
 
 void Browser::pages(const Ui& ui) {
   const auto choice = [&](Page page, const char* name, std::string_view label, bool first = false) {
+    const float width = button_width(ui, ui.say(label), {.look = Look::choice});
     if (!first) ImGui::SameLine();
-    if (!button(ui, name, ui.say(label), "", {0, ImGui::GetFrameHeight()}, {.look = Look::choice}, page_ == page))
+    if (!first && ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
+    if (!button(ui, name, ui.say(label), "", {width, ImGui::GetFrameHeight()}, {.look = Look::choice}, page_ == page))
       return;
     page_ = page;
     cards_for_.clear();
@@ -278,7 +280,7 @@ void Browser::draw(const Ui& ui, const std::string& home, GalleryPictures* pictu
   if (lists) {
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
-    label(ui.colours.dim_text, folder_);
+    label(ui.colours.dim_text, shortened(folder_, ImGui::GetContentRegionAvail().x));
   }
   const bool complains = ui.state.document.notice && ui.state.document.notice->kind == Notice::Kind::error;
   // A long message scrolls: it never takes the room of the name and the buttons.

@@ -2,6 +2,8 @@
 
 #include "gui/widgets.h"
 #include "view/document/question.h"
+#include "view/plan/plan_geometry.h"
+#include "view/plan/plan_view.h"
 #include "view/text/text.h"
 
 #include <algorithm>
@@ -66,7 +68,26 @@ bool answer_by_key(const KeyPress& press, const Ui& ui) {
   return false;
 }
 
-void notice_bar(const Ui& ui, const Rect& plan) {
+namespace {
+
+// EYE and the lights that `notice` would cover.
+int symbols_below(const Ui& ui, const Rect& plan, const Rect& notice) {
+  const State& state = ui.state;
+  const float reach = ui.px(16);
+  const auto covers = [&](const Target& target) {
+    const Vec2d at = to_pixels(state.plan.camera, state.plan.viewport, place_of(state, target, state.plan.viewport));
+    const float x = plan.x + static_cast<float>(at.x) * ui.dpi, y = plan.y + static_cast<float>(at.y) * ui.dpi;
+    return x > notice.x - reach && x < notice.right() + reach && y > notice.y - reach && y < notice.bottom() + reach;
+  };
+  int count = covers({TargetKind::eye}) ? 1 : 0;
+  for (std::size_t i = 0; i < state.scene().lights.size(); ++i)
+    count += covers({TargetKind::light, static_cast<int>(i)}) ? 1 : 0;
+  return count;
+}
+
+}  // namespace
+
+void notice_bar(const Ui& ui, const Rect& plan, const Rect& strip) {
   if (!ui.state.document.notice || ui.state.document.prompt != PathPrompt::none || plan.width < ui.px(80)) return;
   const bool error = ui.state.document.notice->kind == Notice::Kind::error;
   const float inset = ui.px(12), edge = ui.px(24), most = std::min(plan.width - 2 * inset, ui.px(640));
@@ -74,8 +95,23 @@ void notice_bar(const Ui& ui, const Rect& plan) {
   const std::string& words = ui.state.document.notice->text;
   const ImVec2 extent = ImGui::CalcTextSize(words.c_str(), nullptr, false, text_most);
   const float width = std::min(extent.x + 1, text_most) + edge + ui.px(42);
-  ImGui::SetNextWindowPos({plan.x + inset, plan.y + inset});
-  ImGui::SetNextWindowSize({width, std::max(extent.y, edge) + ui.px(20)});
+  // At the top of the plan, or where it covers less: at the bottom, or on the strip below.
+  const float height = std::max(extent.y, edge) + ui.px(20);
+  Rect where{plan.x + inset, plan.y + inset, width, height};
+  int least = symbols_below(ui, plan, where);
+  const float bottom = plan.bottom() - inset;
+  // The panel may be in the plan's place, and the plan elsewhere.
+  const bool adjoin = strip.x == plan.x && strip.y >= plan.bottom() - 1;
+  for (const float end : {bottom, adjoin ? strip.bottom() - ui.px(2) : bottom}) {
+    const Rect lower{where.x, std::max(end - height, plan.y), width, height};
+    const int covered = symbols_below(ui, plan, lower);
+    if (covered >= least) continue;
+    least = covered;
+    where = lower;
+  }
+  ui.publish("notice", where);
+  ImGui::SetNextWindowPos(corner(where));
+  ImGui::SetNextWindowSize(size(where));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(16), ui.px(10)});
   ImGui::PushStyleColor(ImGuiCol_Border,
                         to_imgui4(error ? ui.colours.error : Shades(ui.state.appearance.theme).raised_held));

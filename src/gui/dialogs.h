@@ -15,7 +15,8 @@ void link_dialog(const Ui& ui);
 /// Escape closes it, Enter copies. Returns whether it is open: then no other key has a meaning.
 bool link_by_key(const KeyPress& press, const Ui& ui);
 
-/// The notice above the plan, with a button to dismiss it.
-void notice_bar(const Ui& ui, const Rect& plan);
+/// The notice over the plan, with a button to dismiss it, where it covers neither EYE nor a light; if need be over the
+/// strip below.
+void notice_bar(const Ui& ui, const Rect& plan, const Rect& strip);
 
 }  // namespace raywalk

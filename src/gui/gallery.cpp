@@ -48,17 +48,9 @@ std::string picture_of(const std::string& folder, const std::string& scene) {
   return scene.empty() ? std::string() : (fs::path(folder) / "pictures" / (scene + ".png")).string();
 }
 
-// Of a shipped scene in the window's language, else of its file's name.
-std::string title_of(const State& state, const std::string& scene) {
-  if (const std::string* known = gallery_text(state, scene, "title")) return *known;
-  std::string title = scene;
-  std::replace(title.begin(), title.end(), '_', ' ');
-  return title;
-}
-
-// The same, else what its file says.
+// Of a shipped scene in the window's language, else what its file says.
 std::string sentence_of(const State& state, const std::string& scene, const std::string& path) {
-  if (const std::string* known = gallery_text(state, scene, "sentence")) return *known;
+  if (const std::string* known = shipped_sentence(state, scene)) return *known;
   const Result<SceneDocument> document = read_scene(path);
   return !document                             ? std::string()
          : document->scene.description.empty() ? document->scene.title
@@ -73,7 +65,7 @@ std::vector<GalleryCard> scene_cards(const State& state) {
   for (const std::string& scene : shipped_names(state)) {
     const std::string path = shipped_path(state, scene);
     cards.push_back({"scene/" + scene,
-                     title_of(state, scene),
+                     shipped_title(state, scene),
                      sentence_of(state, scene, path),
                      picture_of(state.lessons.scenes_folder, scene),
                      path,

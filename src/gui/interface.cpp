@@ -120,6 +120,7 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   LayoutWishes wishes{.width = io.DisplaySize.x, .height = io.DisplaySize.y, .unit = unit, .bare = embedded};
   wishes.code = code_height(with);
   wishes.code_width = code_width(with);
+  wishes.bar_width = bar_width(with);
   const bool helps = state.walk.mode == Mode::help;
   wishes.focus = state.focus.on && !helps && !embedded;
   const bool asks = state.bugs.shown || has_question(state);
@@ -130,8 +131,9 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   if (embedded && wishes.front == Front::tabs) wishes.front = Front::code;
   if (state.effects.shown && !helps && !embedded) wishes.effects = effects_height(with, lay_out(wishes).plan.width);
   if (state.band.shown && !helps && !embedded) wishes.band = with.px(static_cast<float>(band_height));
-  // The transport's height depends on its width, which does not depend on its height.
+  // Heights that depend on a width, which does not depend on them. The strip is as high in Move, too: the plan stays.
   wishes.transport = transport_height(with, lay_out(wishes).plan.width);
+  if (!helps) wishes.strip = legend_height(with, lay_out(wishes).strip.width);
   layout_ = lay_out(wishes);
 
   // Help takes the plan's place and the strip's. The walk's sentence and buttons, and the code, are always there.
@@ -198,7 +200,7 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   // What lies below a dialog is not hovered over, though the pointer still rests there in the dialog's first frame.
   if (state.document.question || state.document.prompt != PathPrompt::none || state.link.shown)
     static_cast<void>(rest_.take_tip());
-  notice_bar(with, layout_.plan);
+  notice_bar(with, layout_.plan, layout_.strip);
   browser_.draw(with, home_, picture.gallery);
   link_dialog(with);
   question_dialog(with);

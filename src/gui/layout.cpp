@@ -26,9 +26,9 @@ void lay_out_walk(const LayoutWishes& wishes, float lesson, float top, float bot
     end -= height;
     return Rect{edge, end, width, height};
   };
-  const float strip = (wishes.height < low_window * wishes.unit ? 36 : 42) * wishes.unit;
-  layout.strip = above(0.3f, wishes.bare ? 0 : strip);
-  const float corner = take(width * 0.2f, layout.strip.height);
+  const float usual = (wishes.height < low_window * wishes.unit ? 36 : 42) * wishes.unit;
+  layout.strip = above(0.3f, wishes.bare ? 0 : std::max(wishes.strip, usual));
+  const float corner = take(width * 0.2f, std::min(layout.strip.height, usual));
   layout.strip.width -= corner;
   layout.corner = {layout.strip.right(), layout.strip.y, corner, layout.strip.height};
   layout.band = above(0.25f, wishes.band);
@@ -43,7 +43,9 @@ Layout lay_out_upright(const LayoutWishes& wishes) {
   constexpr float tight_code = 0.88f;                 // its lines can stand closer, for the plan's sake
   const bool one_column = width < std::max(wishes.code_width + line + least_tabs * unit, least_two * unit);
   Layout layout;
-  if (!wishes.bare) layout.bar = {0, 0, width, take(height, (one_column ? 76 : 44) * unit)};
+  // In two lines, where one has no room for all.
+  const bool two_lines = one_column || wishes.bar_width > width;
+  if (!wishes.bare) layout.bar = {0, 0, width, take(height, (two_lines ? 76 : 44) * unit)};
   const float top = wishes.bare ? 0 : std::min(layout.bar.bottom() + line, height), below = height - top;
   // In one column the lesson stands below the walk, and is not folded away.
   const bool folds = wishes.focus && !(one_column && wishes.front == Front::lesson);

@@ -38,6 +38,8 @@ struct LayoutWishes {
   float code = 0;                    ///< wanted by the code
   float code_width = 0;              ///< width wanted by the code
   float lesson = 0;                  ///< width wanted by the lesson; 0: none is shown
+  float bar_width = 0;               ///< width wanted by menus and buttons in one line
+  float strip = 0;                   ///< height wanted by the kinds of rays, if more than the usual one
   float band = 0;                    ///< height wanted by the band; 0: it is not shown
   float effects = 0;                 ///< height wanted by the switches for effects; 0: they are not shown
   bool focus = false;                ///< code and tabs are folded to an edge

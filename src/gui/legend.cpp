@@ -5,7 +5,10 @@
 #include "gui/widgets.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace raywalk {
 
@@ -93,64 +96,126 @@ void LegendRoom::draw_tab(const Ui& ui, const Rect& where, TabContext&) {
   }
 }
 
+namespace {
+
+// How the kinds of rays stand in a strip of some width: spread, but not too far; in a narrow one tight, with short
+// names and in two or three lines.
+class LegendLines {
+ public:
+  LegendLines(const Ui& ui, const Legend& content, float width) : rays(content.rays), ui_(ui) {
+    push_font(ui.fonts.small);
+    look.font = ui.fonts.small;
+    // The first that fits, else the last.
+    static constexpr std::array<Attempt, 6> attempts{{{false, Button::in_full, 1},
+                                                      {false, Button::in_short, 1},
+                                                      {true, Button::in_short, 1},
+                                                      {true, Button::in_short, 2},
+                                                      {true, Button::icon, 2},
+                                                      {true, Button::icon, 3}}};
+    for (const auto& [short_names, button_is, count] : attempts) {
+      name = short_names ? &LegendRow::short_name : &LegendRow::name;
+      lines = count;
+      in_line = (rays.size() + lines - 1) / lines;
+      look.icon = button_is == Button::icon ? Icon::pixel : Icon::none;
+      look.label = button_is != Button::icon;
+      words = command_label(command("only-pixel"), ui.state, button_is != Button::in_full);
+      button = look.label ? button_width(ui, words, look) : button_height();
+      if (fits(width - button - ui.px(left + 4 + 8), width < ui.px(640))) break;
+    }
+    pop_font();
+  }
+
+  [[nodiscard]] float line() const { return line_height(ui_.fonts, *ui_.fonts.small) + ui_.px(2); }
+  [[nodiscard]] float button_height() const { return ui_.px(30); }
+
+  static constexpr float left = 14;  // the margin, at scale 1
+  const std::vector<LegendRow>& rays;
+  std::string LegendRow::* name = nullptr;
+  std::size_t lines = 1, in_line = 1;
+  float sample = 0, gap = 0, between = 0;
+  float aligned = 0;  // the width of each name, in two or three lines with room for that; else 0
+  // "Only this pixel", at the right.
+  ButtonLook look{.look = Look::plain, .icon = Icon::none, .font = nullptr};
+  std::string words;
+  float button = 0;
+
+ private:
+  enum class Button { in_full, in_short, icon };
+  struct Attempt {
+    bool short_names;
+    Button button;
+    std::size_t lines;
+  };
+
+  // Samples as long as there is room for.
+  bool fits(float room, bool narrow) {
+    const float least = ui_.px(lines > 1 ? 20 : narrow ? 26 : 34), tight = ui_.px(lines > 1 ? 4 : 8);
+    gap = ui_.px(lines > 1 ? 5 : 7);
+    float widest = 0, longest = 0;
+    for (std::size_t i = 0; i < rays.size(); i += in_line) {
+      float sum = 0;
+      for (std::size_t k = i; k < std::min(i + in_line, rays.size()); ++k) {
+        const float own = ImGui::CalcTextSize((rays[k].*name).c_str()).x;
+        widest = std::max(widest, own);
+        sum += own;
+      }
+      longest = std::max(longest, sum);
+    }
+    const auto each = static_cast<float>(in_line);
+    const float others = each * (least + gap + tight);
+    aligned = lines > 1 && each * widest + others <= room ? widest : 0;
+    if (aligned > 0) longest = each * widest;
+    sample = std::clamp((room - longest) / each - gap - tight, ui_.px(8), ui_.px(34));
+    between = std::clamp((room - longest) / each - gap - sample, ui_.px(2), ui_.px(22));
+    return longest + others <= room;
+  }
+
+  const Ui& ui_;
+};
+
+}  // namespace
+
+float legend_height(const Ui& ui, float width) {
+  const Legend content = legend(ui.state);
+  const LegendLines lines(ui, content, width);
+  return lines.lines > 2 ? 3 * lines.line() + ui.px(6) : 0;
+}
+
 void legend_pane(const Ui& ui, const Rect& where) {
   const Pane pane(ui, "legend", where, ui.colours.plan, {0, 0}, ImGuiWindowFlags_NoScrollbar);
   if (!pane) return;
-  push_font(ui.fonts.small);
   const Legend content = legend(ui.state);
-  const float height = line_height(ui.fonts, *ui.fonts.small), gap = ui.px(7);
-  float length = ui.px(where.width < ui.px(640) ? 26 : 34);
-  const auto width_of = [&](std::string LegendRow::* name) {
-    float sum = 0;
-    for (const LegendRow& row : content.rays) sum += length + gap + ImGui::CalcTextSize((row.*name).c_str()).x;
-    return sum;
-  };
-  const float least_between = ui.px(8) * static_cast<float>(content.rays.size());
-  // "Only this pixel" at the right: in short if that lets the kinds of rays stand in one line.
-  const Command& only = command("only-pixel");
-  const ButtonLook look{
-      .look = chosen(only, ui.state) ? Look::choice : Look::plain, .icon = Icon::none, .font = ui.fonts.small};
-  const auto button_of = [&](bool in_short) { return button_width(ui, command_label(only, ui.state, in_short), look); };
-  const auto left_by = [&](float button) { return where.width - button - ui.px(28 + 8); };
-  const bool button_in_short = width_of(&LegendRow::name) + least_between > left_by(button_of(false));
-  const float button = button_of(button_in_short), most = left_by(button);
-  const bool in_short = width_of(&LegendRow::name) + least_between > most;
-  const auto name = in_short ? &LegendRow::short_name : &LegendRow::name;
-  // Spread, but not too far; in a narrow window tight, or in two lines.
-  const auto count = content.rays.size();
-  const std::size_t lines = width_of(name) + least_between > most ? 2 : 1, in_line = (count + lines - 1) / lines;
-  // In two lines the names are aligned if there is room, with shorter samples where the widest would not fit otherwise.
-  float widest = 0;
-  for (const LegendRow& row : content.rays) widest = std::max(widest, ImGui::CalcTextSize((row.*name).c_str()).x);
-  const auto each = static_cast<float>(in_line);
-  if (lines > 1) length = std::clamp(most / each - ui.px(4) - gap - widest, ui.px(8), length);
-  const bool aligned = lines > 1 && each * (length + gap + widest + ui.px(4)) <= most;
-  const float needed = lines > 1 ? each * (length + gap + widest) : width_of(name);
-  const float between = std::clamp((most - needed) / each, ui.px(4), ui.px(22));
-  const float line = std::min(height + ui.px(2), where.height / static_cast<float>(lines));
-  float y = std::round(where.y + (where.height - line * static_cast<float>(lines)) / 2 + (line - height) / 2);
-  float x = where.x + ui.px(14);
-  for (std::size_t i = 0; i < count; ++i) {
-    const LegendRow& row = content.rays[i];
-    if (i > 0 && i % in_line == 0) {
-      x = where.x + ui.px(14);
+  const LegendLines lines(ui, content, where.width);
+  push_font(ui.fonts.small);
+  const float height = line_height(ui.fonts, *ui.fonts.small);
+  const float line = std::min(lines.line(), where.height / static_cast<float>(lines.lines));
+  float y = std::round(where.y + (where.height - line * static_cast<float>(lines.lines)) / 2 + (line - height) / 2);
+  float x = where.x + ui.px(LegendLines::left);
+  for (std::size_t i = 0; i < lines.rays.size(); ++i) {
+    const LegendRow& row = lines.rays[i];
+    if (i > 0 && i % lines.in_line == 0) {
+      x = where.x + ui.px(LegendLines::left);
       y = std::round(y + line);
     }
-    const float left = x, words = ImGui::CalcTextSize((row.*name).c_str()).x;
-    sample(ui, row, x, y + height / 2, length);
-    x += length + gap;
+    const std::string& name = row.*lines.name;
+    const float left = x, words = ImGui::CalcTextSize(name.c_str()).x;
+    sample(ui, row, x, y + height / 2, lines.sample);
+    x += lines.sample + lines.gap;
     const bool shown = ui.state.legend.shows(row.kind);
     const ImU32 ink = to_imgui(shown ? ui.colours.dim_text : ui.colours.dim_text.with_alpha(2 * hidden_alpha));
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    draw.AddText({std::round(x), y}, ink, (row.*name).c_str());
+    draw.AddText({std::round(x), y}, ink, name.c_str());
     // Struck through, so that a kind that is hidden is not only fainter.
     if (!shown) draw.AddLine({left, y + height / 2}, {x + words, y + height / 2}, ink, ui.px(1.5f));
     row_button(ui, row, {left, y, x + words - left, line});
-    x += (aligned ? widest : words) + between;
+    x += std::max(lines.aligned, words) + lines.between;
   }
-  const float button_height = std::min(ui.px(30), where.height);
-  ImGui::SetCursorScreenPos({where.right() - button - ui.px(4), where.y + (where.height - button_height) / 2});
-  command_button(ui, only, {button, button_height}, look, command_label(only, ui.state, button_in_short));
+  const float button_height = std::min(lines.button_height(), where.height);
+  const Command& only = command("only-pixel");
+  ButtonLook look = lines.look;
+  if (chosen(only, ui.state)) look.look = Look::choice;
+  ImGui::SetCursorScreenPos({where.right() - lines.button - ui.px(4), where.y + (where.height - button_height) / 2});
+  command_button(ui, only, {lines.button, button_height}, look, lines.words);
   pop_font();
 }
 

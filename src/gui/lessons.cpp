@@ -143,6 +143,7 @@ void answer(const Ui& ui, const LessonPanel& panel) {
   if (!panel.verdict.empty())
     heading(ui, panel.is_right ? Shades(ui.state.appearance.theme).accent : ui.colours.error,
             (panel.is_right ? "\u2713 " : "\u2717 ") + panel.verdict);
+  ui.publish("lesson-verdict");
   if (!panel.hands.empty()) heading(ui, ui.colours.text, panel.hands);
   if (!panel.verdict.empty()) {
     push_font(ui.fonts.small);
@@ -264,8 +265,8 @@ void LessonPane::draw(const Ui& ui, const Rect& where) {
       if (!panel.summary.empty() && !alone) prose(ui, ui.colours.dim_text, panel.summary);
       if (!alone) prose(ui, ui.colours.text, panel.text);
       if (panel.asks != Asks::nothing) question(ui, panel, is_new);
-      // Scrolls a new answer into view, with its context.
-      if (is_new && sitting.revealed) ImGui::SetScrollHereY(0.35f);
+      // Scrolls a new answer into view, with its context where there is room for both.
+      if (is_new && sitting.revealed) ImGui::SetScrollHereY(room > ui.px(240) ? 0.35f : 0.0f);
       answer(ui, panel);
       if (!alone) notes(ui, panel);
     } else {

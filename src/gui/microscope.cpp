@@ -16,9 +16,10 @@ namespace raywalk {
 
 namespace {
 
-// Controls: zoom; numerics and precision of the walk.
-void draw_controls(const Ui& ui, ButtonRow& row, float height) {
-  const float edge = height, bar = ui.px(120), gap = ui.px(4);
+// Controls: zoom; numerics and precision of the walk. `low`: there is little room; the slider's ends do as much as the
+// buttons that go there at once.
+void draw_controls(const Ui& ui, ButtonRow& row, float height, bool low) {
+  const float edge = height, bar = ui.px(low ? 90 : 120), gap = ui.px(4);
   const ButtonLook minus{.look = Look::plain, .icon = Icon::minus, .font = nullptr, .label = false};
   ButtonLook plus = minus;
   plus.icon = Icon::plus;
@@ -32,8 +33,8 @@ void draw_controls(const Ui& ui, ButtonRow& row, float height) {
   tooltip(ui, "magnification", ui.say("microscope.magnification_hint"));
   ImGui::SetCursorScreenPos({at.x + edge + bar + 2 * gap, at.y});
   command_button(ui, command("magnify"), {edge, height}, plus);
-  row.add(command("to-numbers"));
-  row.add(command("to-scene"));
+  if (!low) row.add(command("to-numbers"));
+  if (!low) row.add(command("to-scene"));
   for (const Section section : {Section::numerics, Section::precision}) {
     float width = 0;
     for (const Command* each : commands_in(section))
@@ -86,8 +87,9 @@ float draw_heads(const Ui& ui, float robust, float naive, float y) {
   draw.AddCircleFilled({robust + r, middle}, r, to_imgui(ui.colours.hovered));
   draw.AddTriangle({naive + r, middle - 1.2f * r}, {naive - 0.2f * r, middle + r}, {naive + 2.2f * r, middle + r},
                    to_imgui(ui.colours.error), ui.px(2));
-  cell(ui.colours.text, ui.say("microscope.robust"), robust + words, y, ui.px(200));
-  cell(ui.colours.text, ui.say("microscope.naive"), naive + words, y, ui.px(200));
+  const float room = naive - robust - words - r;
+  cell(ui.colours.text, shortened(ui.say("microscope.robust"), room), robust + words, y, ui.px(200));
+  cell(ui.colours.text, shortened(ui.say("microscope.naive"), room), naive + words, y, ui.px(200));
   y += ImGui::GetFontSize();
   pop_font();
   return y;
@@ -140,7 +142,7 @@ void microscope_tab(const Ui& ui, const Rect& where, Kept& kept) {
   const float height = ui.px(28), gap = ui.px(8);
   const bool wide = where.width > 1.15f * where.height;
   ButtonRow row(ui, where, height);
-  draw_controls(ui, row, height);
+  draw_controls(ui, row, height, where.height < ui.px(260));
   const float top = row.bottom() + gap;
   Rect slide{where.x, top, where.width, where.bottom() - top}, table = slide;
   if (wide) {

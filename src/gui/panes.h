@@ -27,6 +27,8 @@ struct MenuContents {
 /// Along the top: menus, modes, undo and redo, the document's name. Opens menu `open_menu`, unless that is -1. Returns
 /// the open menu, or -1.
 int bar_pane(const Ui& ui, const Rect& where, int open_menu);
+/// The width of menus and buttons in one line, with as little between them as in a narrow window.
+[[nodiscard]] float bar_width(const Ui& ui);
 
 /// Buttons to add and remove objects.
 void palette_pane(const Ui& ui, const Rect& where);
@@ -181,8 +183,10 @@ void epsilon_row(const Ui& ui, Form& form);
 /// In one column: what stands below the walk.
 void fronts_pane(const Ui& ui, const Rect& where, Front front, bool with_lesson);
 
-/// Samples of the ray kinds, in one row; a click on one hides or shows its rays.
+/// Samples of the ray kinds, in one row, or a narrow pane in up to three; a click on one hides or shows its rays.
 void legend_pane(const Ui& ui, const Rect& where);
+/// Height that they need at this width.
+[[nodiscard]] float legend_height(const Ui& ui, float width);
 
 /// Switches for effects, with their rays.
 void effects_pane(const Ui& ui, const Rect& where);

@@ -64,7 +64,8 @@ void TabsPane::draw(const Ui& ui, const Rect& where, const PictureView& picture,
   // Beside the picture, and never over the menus.
   const auto beside = [&] {
     const bool to_the_left = where.x > whole.x / 3;
-    const float x = to_the_left ? where.x - gap : std::min(where.right() + gap, whole.x - gap - width);
+    const float x = to_the_left ? std::max(where.x - gap, std::min(width + gap, whole.x - gap))
+                                : std::min(where.right() + gap, whole.x - gap - width);
     ImGui::SetNextWindowPos({x, whole.y - gap}, ImGuiCond_Appearing, {to_the_left ? 1.0f : 0.0f, 1.0f});
     ImGui::SetNextWindowSizeConstraints({0, 0}, {whole.x, std::max(whole.y - bar - ui.px(12), 1.0f)});
   };

@@ -5,6 +5,7 @@
 #include "view/walk/status.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -15,6 +16,8 @@ namespace {
 // Lengths at scale 1.
 constexpr float margin = 14, small = 34, step_width = 106, min_speed_width = 84, max_speed_width = 124,
                 default_gap = 20, least_shrink = 0.6f;
+
+constexpr std::array big_buttons{"step", "play", "clear"};
 
 // The assignment to rows. What does not fit beside the big buttons moves down: the grain into the row of the scrub bar,
 // and in a very narrow window both grain and speed into their own row. Before that the speed slider and then the big
@@ -32,18 +35,26 @@ struct Rows {
     top = ui.px(tight ? 5 : 8);
     bottom = ui.px(tight ? 8 : margin);
     const float space = ImGui::GetStyle().ItemSpacing.x;
-    grain = ui.px(10);
-    for (const Command* each : commands_in(Section::grain)) grain += button_width(ui, *each, {.look = Look::choice});
+    const auto grains = [&](ImFont* font) {
+      float sum = ui.px(10);
+      for (const Command* each : commands_in(Section::grain))
+        sum += button_width(ui, *each, {.look = Look::choice, .icon = Icon::none, .font = font});
+      return sum;
+    };
+    grain = grains(grain_font);
     inner = width - ui.px(2 * margin);
     const float buttons = big + ui.px(3 * step_width), transport = buttons + 3 * space,
                 ends = ui.px(2 * small) + 2 * space;
     speed = ends + ui.px(max_speed_width);
     beside = transport + grain + speed + ui.px(28) <= inner;
-    if (compact) {
-      // One button for all lengths of a step.
+    const auto in_one_button = [&] {
+      one_grain = true;
       grain = 0;
       for (const Command* each : commands_in(Section::grain))
         grain = std::max(grain, button_width(ui, *each, {.look = Look::plain, .font = ui.fonts.small}));
+    };
+    if (compact) {
+      in_one_button();
       beside = true;
       shrink = std::clamp((inner - 3 * space) / buttons, 0.3f, 1.0f);
     } else if (!beside) {
@@ -52,7 +63,13 @@ struct Rows {
       // In its own row the slider takes the remaining width, if that is enough.
       const float left = own_row ? inner - grain - ui.px(default_gap) : room;
       speed = left < ends + ui.px(min_speed_width) ? ends - space : std::min(left, speed);
-      grain = own_row ? std::min(grain, inner - speed - ui.px(4)) : grain;
+      // Smaller and tighter; but words do not touch.
+      const float most = own_row ? inner - speed - ui.px(4) : grain, spare = ui.px(3 * 2 * 8);
+      const float small_words = grain > most ? grains(grain_font = ui.fonts.small) : 0;
+      if (small_words > most + spare)
+        in_one_button();
+      else if (small_words > 0)
+        grain = std::min(small_words, most);
       shrink = (inner - 3 * space - (own_row ? 0 : speed + ui.px(default_gap))) / buttons;
       shrink = std::clamp(shrink, 0.3f, 1.0f);
     }
@@ -67,8 +84,10 @@ struct Rows {
   }
   float big, gap, top, bottom, grain, speed, slider, inner, sentence, scrub, height;
   float shrink = 1;
+  ImFont* grain_font = nullptr;  ///< null: the usual one
   bool beside, own_row = false;
-  bool compact;  ///< without the speed, which has menu entries and keys
+  bool compact;            ///< without the speed, which has menu entries and keys
+  bool one_grain = false;  ///< one button for all lengths of a step
 };
 
 // STEP and BACK speed up while held down.
@@ -217,7 +236,15 @@ void transport_pane(const Ui& ui, const Rect& where) {
   y += rows.sentence + rows.gap;
 
   const ImVec2 step{ui.px(step_width) * rows.shrink, rows.big};
-  ImFont* font = rows.shrink < 0.85f ? ui.fonts.strong : ui.fonts.title;
+  // As large as the words of all three have room for.
+  const auto words_fit = [&](ImFont* font) {
+    const ButtonLook look{.look = Look::plain, .icon = Icon::none, .font = font};
+    return std::all_of(big_buttons.begin(), big_buttons.end(),
+                       [&](const char* name) { return button_width(ui, command(name), look) <= step.x + ui.px(12); });
+  };
+  ImFont* font = rows.shrink >= 0.85f && words_fit(ui.fonts.title) ? ui.fonts.title
+                 : words_fit(ui.fonts.strong)                      ? ui.fonts.strong
+                                                                   : ui.fonts.small;
   const bool playing = ui.state.walk.playing;
   ImGui::SetCursorScreenPos({left, y});
   command_button(ui, command("step-back"), {rows.big * rows.shrink, step.y},
@@ -248,7 +275,10 @@ void transport_pane(const Ui& ui, const Rect& where) {
     label(ui.colours.dim_text, about);
   }
   ImGui::SetCursorScreenPos({grain_x, rows.beside ? centred : second});
-  choice(ui, commands_in(Section::grain), ui.px(small), nullptr, rows.grain);
+  if (rows.one_grain)
+    grain_button(ui, rows, {grain_x, second});
+  else
+    choice(ui, commands_in(Section::grain), ui.px(small), rows.grain_font, rows.grain);
   ImGui::SetCursorScreenPos({speed_x, rows.own_row ? second : centred});
   speed_control(ui, rows);
   scrub_row(ui, rows, {left, third});

@@ -191,6 +191,11 @@ void draw_icon(ImDrawList& draw, Icon icon, ImVec2 centre, float edge, ImU32 col
       draw.AddLine(at(-0.9f, 0.85f), at(0.9f, 0.85f), colour, thick);
       draw.AddLine(at(0.9f, 0.85f), at(0.9f, 0.2f), colour, thick);
       break;
+    case Icon::pixel:
+      for (const float y : {-1.0f, -0.3f, 0.4f})
+        draw.AddRect(at(-0.35f, y), at(0.35f, y + 0.6f), colour, 0, 0, 0.8f * thick);
+      draw.AddRectFilled(at(-0.35f, -0.3f), at(0.35f, 0.3f), colour);
+      break;
     case Icon::up:
       draw.AddLine(at(0, -0.8f), at(0, 0.9f), colour, thick);
       draw.AddLine(at(0, -0.8f), at(-0.6f, -0.1f), colour, thick);
@@ -234,8 +239,8 @@ bool button(const Ui& ui, std::string_view name, const std::string& label, const
   if (!is_enabled) ImGui::EndDisabled();  // first: its tooltip is not dimmed
   tooltip(ui, name, hint);
   ui.publish(name);
-  // Which should not happen in any language.
-  if (m.width() > size.x) ui.publish(std::string(name) + "/clipped");
+  // Which should not happen in any language: words that are cut, or touch those of the next button.
+  if (m.width() + (look.label ? ui.px(4) : 0) > size.x) ui.publish(std::string(name) + "/clipped");
   return pressed;
 }
 
@@ -270,8 +275,9 @@ void choice(const Ui& ui, const std::vector<const Command*>& commands, float hei
     in_short = true;
     width = widths();
   }
-  // Still too wide: each loses the same amount of padding.
+  // Still too wide: each loses the same amount of padding, and words that would touch are smaller.
   const float less = std::max(width - max_width, 0.0f) / static_cast<float>(commands.size());
+  if (less > ui.px(20) && font != ui.fonts.small) return choice(ui, commands, height, ui.fonts.small, max_width);
   width = std::min(width, max_width);
   const ImVec2 least = ImGui::GetCursorScreenPos();
   ImGui::GetWindowDrawList()->AddRectFilled(least, {least.x + width, least.y + height}, to_imgui(shades.raised),

@@ -36,7 +36,8 @@ enum class Icon {
   protractor,
   eraser,
   bin,
-  keep
+  keep,
+  pixel
 };
 
 enum class Look {

@@ -84,9 +84,8 @@ class Outliner {
   void shipped(OutlineItem& region) {
     button(region, "new", say("scene.new_title"), action::New{});
     for (const std::string& name : shipped_names(state_)) {
-      const std::string *title = gallery_text(state_, name, "title"),
-                        *sentence = gallery_text(state_, name, "sentence");
-      button(region, name, title == nullptr || sentence == nullptr ? name : *title + ": " + *sentence,
+      const std::string title = shipped_title(state_, name), *sentence = shipped_sentence(state_, name);
+      button(region, name, sentence == nullptr ? title : title + ": " + *sentence,
              action::Open{shipped_path(state_, name)});
     }
   }

@@ -5,6 +5,8 @@
 #include "support/catch.h"
 #include "support/languages.h"
 
+#include <utility>
+
 namespace raywalk::test {
 
 State classic() {
@@ -14,7 +16,7 @@ State classic() {
 }
 
 Bench::Bench(State initial, float width, float height, const FontFiles& faces)
-    : state(std::move(initial)), interface_(std::string(RAYWALK_SOURCE_DIR) + "/scenes") {
+    : state(std::move(initial)), interface_(std::string(RAYWALK_SOURCE_DIR) + "/scenes"), faces_(faces) {
   if (state.appearance.language.others().all().size() == 1)
     state.appearance.language = in_english;  // so that it can be changed
   context_ = ImGui::CreateContext();
@@ -24,19 +26,12 @@ Bench::Bench(State initial, float width, float height, const FontFiles& faces)
   io.DeltaTime = 1.0f / 60;
   io.ConfigInputTextCursorBlink = false;
   io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;  // as the window's, which draws more than 65,536 vertices
-  // Mostly any face will do, and ImGui's own is the same on every machine.
-  fonts_ = build_fonts(*io.Fonts, faces, 1, 1);
 #if IMGUI_VERSION_NUM >= 19200
   io.BackendFlags |= ImGuiBackendFlags_RendererHasTextures;
-#else
-  unsigned char* pixels = nullptr;
-  int across = 0, down = 0;
-  io.Fonts->GetTexDataAsRGBA32(&pixels, &across, &down);
 #endif
 #if IMGUI_VERSION_NUM < 18700
   for (int key = 0; key < ImGuiKey_COUNT; ++key) io.KeyMap[key] = key;
 #endif
-  set_style(ImGui::GetStyle(), state.appearance.theme, unit);
   move_to(-1, -1);
 }
 
@@ -49,7 +44,21 @@ void Bench::take_actions() {
   }
 }
 
+void Bench::rescale() {
+  set_style(ImGui::GetStyle(), state.appearance.theme, unit);
+  if (std::exchange(fonts_unit_, unit) == unit) return;
+  ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+  // Mostly any face will do, and ImGui's own is the same on every machine.
+  fonts_ = build_fonts(atlas, faces_, unit, 1);
+#if IMGUI_VERSION_NUM < 19200
+  unsigned char* pixels = nullptr;
+  int across = 0, down = 0;
+  atlas.GetTexDataAsRGBA32(&pixels, &across, &down);
+#endif
+}
+
 void Bench::frame() {
+  rescale();
   ImGui::NewFrame();
   costs_.work(state, 20);
   PictureView picture{1, 441, 331, 0.5, true, false};

@@ -73,11 +73,15 @@ class Bench {
 
  private:
   void frame();
+  // Letters and spacing of the scale, as the window sets them.
+  void rescale();
   void take_actions();
 
   Interface interface_;
   LiveCosts costs_;
+  FontFiles faces_;
   Fonts fonts_;
+  float fonts_unit_ = 0;  // that `fonts_` are for
   ImGuiContext* context_ = nullptr;
 };
 

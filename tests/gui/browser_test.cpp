@@ -54,7 +54,8 @@ TEST_CASE(
         if (card.path.empty() && card.lesson.empty()) continue;
         CHECK(std::filesystem::exists(card.picture));
         if (!card.lesson.empty()) continue;
-        const std::string* title = gallery_text(state, std::filesystem::path(card.path).stem().string(), "title");
+        const std::string scene = std::filesystem::path(card.path).stem().string();
+        const std::string* title = language.catalogue().find("gallery." + scene + ".title");
         REQUIRE(title != nullptr);
         CHECK(card.title == *title);
       }

@@ -163,10 +163,11 @@ TEST_CASE("the keys of the list are the same in every language but for names tha
 }
 
 TEST_CASE("in every language, every button stands in the window and its words within it") {
+  const FontFiles files = find_fonts(font_folders(""));
   for (const Language language : all_languages())
     for (const Mode mode : {Mode::move, Mode::trace})
       for (const float scale : {1.0f, 1.5f}) {
-        Bench bench;
+        Bench bench(classic(), 1280, 720, files);
         bench.unit = scale;
         update(bench.state, action::SetLanguage{std::string(language.code())});
         update(bench.state, action::SetMode{mode});

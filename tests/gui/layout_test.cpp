@@ -109,6 +109,20 @@ TEST_CASE("in a small window everything is drawn smaller, never below what can b
   CHECK(shrink_to_fit(360, 640, 1, true) > 0.85f);
 }
 
+TEST_CASE("the bar has two lines in an upright window too narrow for one, and the strip is as high as it must be") {
+  raywalk::LayoutWishes wishes{768, 1024, 1, 134, 413, 310};
+  wishes.bar_width = 768;
+  const Layout one = raywalk::lay_out(wishes);
+  wishes.bar_width = 769;
+  wishes.strip = 54;
+  const Layout two = raywalk::lay_out(wishes);
+  CHECK(one.bar.height == 44);
+  CHECK(two.bar.height == 76);
+  CHECK(one.strip.height == 42);
+  CHECK(two.strip.height == 54);
+  CHECK(two.corner.width == one.corner.width);
+}
+
 TEST_CASE("in an upright window the columns are below each other") {
   raywalk::LayoutWishes wishes{768, 1024, 1, 134, 413, 310};
   const Layout layout = raywalk::lay_out(wishes);

@@ -8,10 +8,13 @@
 
 #include "gui/bench.h"
 #include "gui/classic_walk.h"
+#include "gui/fonts.h"
+#include "gui/layout.h"
 #include "support/catch.h"
 #include "support/languages.h"
 #include "text/file.h"
 #include "view/lesson/lesson_panel.h"
+#include "view/plan/plan_geometry.h"
 #include "view/plan/plan_view.h"
 
 using namespace raywalk;
@@ -127,6 +130,39 @@ TEST_CASE("everything of a lesson fits into its pane, in both languages") {
         CHECK(where.bottom() <= pane.bottom());
       }
     }
+  }
+}
+
+TEST_CASE("on a telephone the answer is seen with its reason, and a notice covers neither EYE nor a light") {
+  const FontFiles files = find_fonts(font_folders(""));
+  Bench bench(with_lessons(), 360, 640, files);
+  bench.unit = bench.dpi = shrink_to_fit(360, 640, 1, true);
+  update(bench.state, action::ShowFront{Front::lesson});
+  update(bench.state, action::ShowLessons{true});
+  for (const Language language : all_languages()) {
+    update(bench.state, action::SetLanguage{std::string(language.code())});
+    update(bench.state, action::OpenLesson{"01-ray-casting"});
+    update(bench.state, action::SetLessonOptions{false, true});
+    update(bench.state, action::GoToLessonStep{2});
+    update(bench.state, action::SetLessonOptions{false, false});
+    update(bench.state, action::Step{});  // asks for the prediction first
+    bench.frames(3);
+    CAPTURE(language.code());
+    REQUIRE(bench.has("notice"));
+    const Rect notice = bench.rect("notice"), plan = bench.rect("plan");
+    const PlanRoom& room = bench.state.plan;
+    for (const Target& target : {Target{TargetKind::eye}, Target{TargetKind::light, 0}}) {
+      const Vec2d at = to_pixels(room.camera, room.viewport, place_of(bench.state, target, room.viewport));
+      CHECK_FALSE(notice.contains(plan.x + static_cast<float>(at.x) * bench.dpi,
+                                  plan.y + static_cast<float>(at.y) * bench.dpi));
+    }
+    update(bench.state, action::GuessChoice{0});
+    update(bench.state, action::RevealLesson{});
+    bench.frames(4);
+    const Rect verdict = bench.rect("lesson-verdict"), seen = bench.rect("lesson-lines");
+    CHECK(verdict.y >= seen.y);
+    CHECK(seen.bottom() - verdict.bottom() > 2 * verdict.height);
+    update(bench.state, action::LeaveLesson{});
   }
 }
 

@@ -10,6 +10,7 @@
 #include "support/catch.h"
 #include "support/effort.h"
 #include "support/languages.h"
+#include "view/text/text.h"
 
 using namespace raywalk;
 using namespace raywalk::test;
@@ -99,6 +100,14 @@ bool lies_on(const DisplayItem& item, const Box& box) {
   return true;
 }
 
+/// The unshot light of a patch.
+bool is_bar(const State& state, const DisplayItem& item) {
+  const auto* line = std::get_if<LineItem>(&item.shape);
+  const Sizes sizes(state);
+  return line != nullptr && !item.target && state.walk.timeline->of_radiosity() &&
+         line->stroke.colour == palette(state.appearance.theme).light && length(line->to - line->from) > 8 * sizes.unit;
+}
+
 /// The borders of the sky, and the curve beside it.
 bool is_sky(const DisplayItem& item) {
   const auto* curve = std::get_if<PolylineItem>(&item.shape);
@@ -178,8 +187,8 @@ void check(const State& state, std::map<std::string, int>& crossed) {
             over_ray = over_ray || words[a].box.meets(line->from, line->to);
           break;
         case TargetKind::nothing: {
-          INFO("over the sky");
-          CHECK_FALSE((is_sky(item) && covers(item, words[a].box)));
+          INFO("over the sky, or over a bar");
+          CHECK_FALSE(((is_sky(item) || is_bar(state, item)) && covers(item, words[a].box)));
           break;
         }
         case TargetKind::object:
@@ -191,6 +200,13 @@ void check(const State& state, std::map<std::string, int>& crossed) {
     if (over_ray) ++crossed["over a ray"];
   }
   check_leaders(state, list, words);
+  // What a lesson speaks of most has its name, wherever it stands.
+  const Vec2d eye = to_pixels(state.plan.camera, state.plan.viewport, plan(state.scene().camera.eye));
+  const bool in_sight =
+      eye.x > 0 && eye.y > 0 && eye.x < state.plan.viewport.width && eye.y < state.plan.viewport.height;
+  const std::string name(text("object.eye", state.appearance.language));
+  INFO("EYE at " << eye.x << ", " << eye.y);
+  CHECK((!in_sight || std::any_of(words.begin(), words.end(), [&](const Words& each) { return each.text == name; })));
 }
 
 /// What the layout leaves for the plan, in units at scale 1: of a window of 1280x720 in both themes, of 1920x1080, of

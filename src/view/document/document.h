@@ -41,8 +41,10 @@ bool commit_if_valid(State& state, Scene next, int object, int light, EditMark m
 /// The names of the shipped scenes, in alphabetical order: "classic".
 [[nodiscard]] std::vector<std::string> shipped_names(const State& state);
 [[nodiscard]] std::string shipped_path(const State& state, const std::string& name);
-/// The `title` or `sentence` of one in the window's language; null if nothing is said of it.
-[[nodiscard]] const std::string* gallery_text(const State& state, const std::string& name, std::string_view which);
+/// The title of one in the window's language; if it has none, as of a file that a teacher added, the file's name.
+[[nodiscard]] std::string shipped_title(const State& state, const std::string& name);
+/// What is said of it in the window's language; null if nothing is.
+[[nodiscard]] const std::string* shipped_sentence(const State& state, const std::string& name);
 
 void show_document(State& state, SceneDocument document, std::string path);
 /// The same once the user's scene is closed, with all that belongs to it.

@@ -93,14 +93,25 @@ std::vector<std::string> files_in_use(const State& state, bool of_scene) {
 
 constexpr std::string_view scene_file_ending = ".toml";
 
+const std::string* gallery_text(const State& state, const std::string& name, std::string_view which) {
+  return state.appearance.language.catalogue().find("gallery." + name + "." + std::string(which));
+}
+
 }  // namespace
 
 std::string shipped_path(const State& state, const std::string& name) {
   return state.lessons.scenes_folder + "/" + name + std::string(scene_file_ending);
 }
 
-const std::string* gallery_text(const State& state, const std::string& name, std::string_view which) {
-  return state.appearance.language.catalogue().find("gallery." + name + "." + std::string(which));
+std::string shipped_title(const State& state, const std::string& name) {
+  if (const std::string* known = gallery_text(state, name, "title")) return *known;
+  std::string title = name;
+  std::replace(title.begin(), title.end(), '_', ' ');
+  return title;
+}
+
+const std::string* shipped_sentence(const State& state, const std::string& name) {
+  return gallery_text(state, name, "sentence");
 }
 
 std::vector<std::string> shipped_names(const State& state) {

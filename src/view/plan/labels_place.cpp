@@ -101,9 +101,11 @@ struct Distances {
   double own = 0, other = std::numeric_limits<double>::infinity();
 };
 
-/// Whether a name may lie on this body: it is its own, or surrounds what is named, like a floor.
+/// Whether a name may lie on this body: it is its own, or what is named stands on it, or is surrounded by it, as by a
+/// floor.
 bool is_ground(const Labelled& thing, const DrawnBody& body) {
   if (body.item.target == thing.body) return true;
+  if (!thing.body && distance_to(body.item, thing.at) == 0) return true;
   const Vec2d low = thing.at - thing.half, high = thing.at + thing.half;
   const Vec2d size = body.box.max - body.box.min, own = high - low;
   const bool around =
@@ -140,10 +142,27 @@ std::array<Vec2d, 2> line_to(const DrawnBody& body, const Vec2d& middle, const P
   return {from, middle};
 }
 
-/// Whether a name needs a leader line to its body: it is far away, or another body is nearly as near.
+/// Whether a name needs a leader line to its thing: it is far away, or another body is nearly as near as its own.
 bool is_ambiguous(const std::vector<DrawnBody>& bodies, const Labelled& thing, const PixelRect& label, double unit) {
+  if (!thing.body) return apart(box_of(thing.at, thing.half), label) > 14 * unit;
   const Distances away = distances(bodies, thing, label, 60 * unit, true);
   return away.own > 14 * unit || away.other <= away.own + 2 * unit;
+}
+
+/// The line from a name to its thing: into a body, or to the edge of a symbol. None if it has a body that is not drawn.
+std::optional<std::array<Vec2d, 2>> line_to(const std::vector<DrawnBody>& bodies, const Labelled& thing,
+                                            const PixelRect& label, double unit) {
+  if (thing.body) {
+    const auto own =
+        std::find_if(bodies.begin(), bodies.end(), [&](const DrawnBody& b) { return b.item.target == thing.body; });
+    return own == bodies.end() ? std::nullopt : std::optional(line_to(*own, thing.at, label, unit));
+  }
+  const Vec2d from(std::clamp(thing.at.x, label.min.x, label.max.x), std::clamp(thing.at.y, label.min.y, label.max.y));
+  const Vec2d way = thing.at - from;
+  const Vec2d reach = thing.half + 6 * unit;
+  const double inside =
+      std::min({1.0, reach.x / std::max(std::abs(way.x), 1e-9), reach.y / std::max(std::abs(way.y), 1e-9)});
+  return std::array{from, thing.at - inside * way};
 }
 
 /// What a name keeps off beside bodies and symbols.
@@ -206,6 +225,7 @@ class Places {
     const PixelRect pane{painter_.pane().min + unit_, painter_.pane().max - unit_};
     double blocked = own_area - std::min(box.overlap(pane), own_area);
     for (const PixelRect& taken : painter_.kept_free) blocked += box.overlap(taken);
+    for (const PixelRect& taken : painter_.unnamed) blocked += box.overlap(taken);
     for (const PixelRect& name : neighbours_.names) blocked += box.overlap(name);
     return blocked;
   }
@@ -242,10 +262,9 @@ class Places {
 
   /// Whether its leader line crosses another body, which it would then seem to name.
   [[nodiscard]] bool crosses(const PixelRect& label) const {
-    const auto own =
-        std::find_if(bodies_.begin(), bodies_.end(), [&](const DrawnBody& b) { return b.item.target == thing_.body; });
-    if (own == bodies_.end()) return false;
-    const auto [from, to] = line_to(*own, thing_.at, label, unit_);
+    const auto line = line_to(bodies_, thing_, label, unit_);
+    if (!line) return false;
+    const auto [from, to] = *line;
     constexpr int steps = 12;
     for (const DrawnBody& body : bodies_)
       for (int i = 0; i < steps && !is_ground(thing_, body); ++i)
@@ -253,7 +272,7 @@ class Places {
     return false;
   }
 
-  /// The cost of the rays under a name. What has no leader line itself stays near.
+  /// The cost of the rays under a name. That of a symbol stays near.
   [[nodiscard]] double lined(const PixelRect& box) const {
     return area_ * std::min(4 * rays_.of(box), thing_.body ? 0.6 : 0.2);
   }
@@ -267,13 +286,17 @@ class Places {
 
   /// Whether its leader line crosses another name, or what is kept free.
   [[nodiscard]] bool strikes_through(const PixelRect& label) const {
-    const auto own =
-        std::find_if(bodies_.begin(), bodies_.end(), [&](const DrawnBody& b) { return b.item.target == thing_.body; });
-    if (own == bodies_.end()) return false;
-    const auto [from, to] = line_to(*own, thing_.at, label, unit_);
-    const auto crossed = [&](const PixelRect& taken) { return taken.meets(from, to); };
+    const auto line = line_to(bodies_, thing_, label, unit_);
+    if (!line) return false;
+    const auto crossed = [&](const PixelRect& taken) { return taken.meets((*line)[0], (*line)[1]); };
+    // A symbol lies in what is kept free around it.
+    const auto is_own = [&](const PixelRect& taken) {
+      return !thing_.body && taken.min.x <= thing_.at.x && thing_.at.x <= taken.max.x && taken.min.y <= thing_.at.y &&
+             thing_.at.y <= taken.max.y;
+    };
     return std::any_of(neighbours_.names.begin(), neighbours_.names.end(), crossed) ||
-           std::any_of(painter_.kept_free.begin(), painter_.kept_free.end(), crossed);
+           std::any_of(painter_.kept_free.begin(), painter_.kept_free.end(),
+                       [&](const PixelRect& taken) { return crossed(taken) && !is_own(taken); });
   }
 
   void consider(LabelPlace place, double extra_cost, bool led = false) {
@@ -285,7 +308,7 @@ class Places {
     if (!place.on_body) place.cost += lined(place.box());
     if (!place.on_body) place.cost += area_ * (led ? touching(place.box()) : mistakable(place.box()));
     const auto misleads = [&](const PixelRect& box) {
-      const bool leads = led || (thing_.body && !place.on_body && is_ambiguous(bodies_, thing_, box, unit_));
+      const bool leads = led || (!place.on_body && is_ambiguous(bodies_, thing_, box, unit_));
       return struck_through(box) || (leads && (crosses(box) || strikes_through(box)));
     };
     if (place.cost < best_.cost && misleads(place.box())) {
@@ -349,16 +372,13 @@ class Places {
   LabelPlace best_;
 };
 
-/// The leader line from a name to its body, if it is ambiguous or far away.
+/// The leader line from a name to its thing, if it is ambiguous or far away.
 std::optional<std::array<Vec2d, 2>> leader_of(const Painter& painter, const std::vector<DrawnBody>& bodies,
                                               const Labelled& thing, const LabelPlace& place) {
   const double unit = painter.sizes.unit;
-  if (!thing.body || place.on_body) return std::nullopt;
-  const auto own =
-      std::find_if(bodies.begin(), bodies.end(), [&](const DrawnBody& b) { return b.item.target == thing.body; });
-  if (own == bodies.end()) return std::nullopt;
-  if (!is_ambiguous(bodies, thing, place.box(), unit)) return std::nullopt;
-  return line_to(*own, thing.at, place.box(), unit);
+  if (place.on_body || place.letters.lines.empty() || !is_ambiguous(bodies, thing, place.box(), unit))
+    return std::nullopt;
+  return line_to(bodies, thing, place.box(), unit);
 }
 
 }  // namespace

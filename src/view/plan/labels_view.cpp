@@ -139,7 +139,8 @@ void draw_labels(Painter& painter) {
     if (place.leader) {
       const auto [from, to] = *place.leader;
       painter.add(LineItem{from, to, painter.stroke(painter.colours.text.with_alpha(190), 0.7)});
-      painter.add(CircleItem{to, 1.8 * painter.sizes.unit, painter.colours.text, std::nullopt});
+      // Into a body; it ends beside a symbol.
+      if (things[i].body) painter.add(CircleItem{to, 1.8 * painter.sizes.unit, painter.colours.text, std::nullopt});
     }
     // A plate that keeps the letters readable across rays.
     painter.add(PolygonItem{{{box.min.x - gap, box.min.y},

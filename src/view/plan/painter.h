@@ -30,6 +30,7 @@ class Painter {
   const Palette& colours;
   DisplayList list;
   std::vector<PixelRect> kept_free;             ///< not used by labels
+  std::vector<PixelRect> unnamed;               ///< not used by names, but their leaders may cross it
   std::vector<std::array<Vec2d, 2>> prominent;  ///< rays of the current pixel, and normals
   std::vector<std::array<Vec2d, 2>> leaders;    ///< from notes to what they are of
 

@@ -63,7 +63,13 @@ class PatchPainter {
     const double tall = longest * std::min(std::sqrt(power(i) / most_), 1.0);
     if (tall < 0.5) return;
     const Vec2d from = strip.middle() + base * strip.out;
-    painter_.add(LineItem{.from = from, .to = from + tall * strip.out, .stroke = {painter_.colours.light, 5 * unit}});
+    const Vec2d to = from + tall * strip.out;
+    painter_.add(LineItem{.from = from, .to = to, .stroke = {painter_.colours.light, 5 * unit}});
+    // Names keep off those that are seen from afar.
+    if (tall < base) return;
+    const Vec2d half(4 * unit);
+    painter_.unnamed.push_back({Vec2d(std::min(from.x, to.x), std::min(from.y, to.y)) - half,
+                                Vec2d(std::max(from.x, to.x), std::max(from.y, to.y)) + half});
   }
 
   void draw_shooter(int i) {
