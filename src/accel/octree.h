@@ -58,7 +58,9 @@ class Octree {
           query.record().skipped(nodes_[child].box);
         }
       }
-      std::sort(stack + before, stack + count, [](const StackEntry& a, const StackEntry& b) { return a.in > b.in; });
+      // At most eight, for which the library's sort is too much code, and in each library takes ties in another order.
+      for (std::size_t i = before + 1; i < count; ++i)
+        for (std::size_t j = i; j > before && stack[j].in > stack[j - 1].in; --j) std::swap(stack[j], stack[j - 1]);
     }
   }
 

@@ -5,11 +5,65 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <numbers>
+#include <type_traits>
 
 namespace raywalk {
 
 namespace {
+
+/// Numbers of at most seven digits, as a whole number in two parts and how many of its digits follow the point: of the
+/// bytes of doubles, which everybody who opens the page waits for, half. One division gives the double nearest to what
+/// was written.
+template <std::size_t n>
+class Decimals {
+ public:
+  constexpr double operator[](std::size_t i) const {
+    const double size = (high_[i] * 0x10000 + low_[i]) / powers[places_[i] % below_0];
+    return places_[i] < below_0 ? size : -size;
+  }
+
+  constexpr void set(std::size_t i, double value) {
+    places_[i] = value < 0 ? below_0 : 0;
+    for (;; ++places_[i]) {  // beyond the last power the compiler stops
+      const double scaled = (value < 0 ? -value : value) * powers[places_[i] % below_0];
+      if (scaled > 1e7) throw "more than seven digits";
+      const auto whole = static_cast<unsigned>(scaled + 0.5);
+      low_[i] = static_cast<std::uint16_t>(whole % 0x10000);
+      high_[i] = static_cast<std::uint8_t>(whole / 0x10000);
+      if ((*this)[i] == value) return;
+    }
+  }
+
+ private:
+  // Plain arrays, for a compiler counts the steps that it takes here.
+  static constexpr double powers[14]{1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13};
+  static constexpr std::uint8_t below_0 = 0x80;
+
+  std::uint16_t low_[n]{};
+  std::uint8_t high_[n]{}, places_[n]{};
+};
+
+template <std::size_t n>
+constexpr void set_all(Decimals<n>& decimals, std::size_t& next, const auto& values) {
+  if constexpr (std::is_array_v<std::remove_cvref_t<decltype(values)>>)
+    for (const auto& part : values) set_all(decimals, next, part);
+  else
+    decimals.set(next++, values);
+}
+
+template <class Table>
+consteval auto decimals_of(const Table& table) {
+  Decimals<sizeof table / sizeof(double)> decimals;
+  std::size_t next = 0;
+  set_all(decimals, next, table);
+  return decimals;
+}
+
+constexpr auto shapes = decimals_of(detail::clear_sky_shape);
+constexpr auto radiances = decimals_of(detail::clear_sky_radiance);
 
 /// A quintic Bezier curve at t in 0..1; `point(i)`: its control points.
 template <class Point>
@@ -40,10 +94,11 @@ ClearSkyRadiance::ClearSkyRadiance(const ClearSky& sky) : strength_(sky.strength
   for (std::size_t c = 0; c < channels_.size(); ++c) {
     for (std::size_t i = 0; i < channels_[c].shape.size(); ++i)
       channels_[c].shape[i] = between([&](std::size_t ground, std::size_t haze) {
-        return bezier(t, [&](std::size_t point) { return detail::clear_sky_shape[c][ground][haze][point][i]; });
+        return bezier(t,
+                      [&](std::size_t point) { return shapes[(((c * 2 + ground) * 10 + haze) * 6 + point) * 9 + i]; });
       });
     channels_[c].radiance = between([&](std::size_t ground, std::size_t haze) {
-      return bezier(t, [&](std::size_t point) { return detail::clear_sky_radiance[c][ground][haze][point]; });
+      return bezier(t, [&](std::size_t point) { return radiances[((c * 2 + ground) * 10 + haze) * 6 + point]; });
     });
   }
 }

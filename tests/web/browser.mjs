@@ -1,7 +1,7 @@
 // A browser without a window on the page, and the page's own report of what it shows. Chromium, or Firefox where
 // RAYWALK_BROWSER says so; Firefox draws with WebGL only on a display (run.sh gives it one that nobody sees).
 import { spawn } from 'node:child_process';
-import { existsSync, readFileSync, rmSync } from 'node:fs';
+import { existsSync, mkdirSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import puppeteer from 'puppeteer-core';
@@ -9,6 +9,7 @@ import puppeteer from 'puppeteer-core';
 export const build = process.env.RAYWALK_BUILD;
 export const site = join(build, 'web/site');
 export const pictures = join(build, 'web-tests/pictures');
+mkdirSync(pictures, { recursive: true });
 
 export const is_firefox = process.env.RAYWALK_BROWSER === 'firefox';
 // For what Firefox's protocol does not offer.

@@ -1,14 +1,13 @@
 // The page for everybody: lesson 1 from its start to its end by the accessibility tree alone, by keys alone, and by
 // touch; axe-core finds nothing; and a picture in the making does not make anybody wait.
 import assert from 'node:assert/strict';
-import { mkdirSync, readFileSync } from 'node:fs';
+import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { Visit, is_firefox, open_browser, pictures, serve } from './browser.mjs';
 
 let browser, server;
-mkdirSync(pictures, { recursive: true });
 
 before(async () => {
   browser = await open_browser();

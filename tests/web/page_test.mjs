@@ -1,6 +1,6 @@
 // The page: it starts, walks, saves, survives a reload, takes and gives files, and rests when nothing moves.
 import assert from 'node:assert/strict';
-import { mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync } from 'node:fs';
+import { mkdtempSync, readFileSync, readdirSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
@@ -9,7 +9,6 @@ import { Visit, is_firefox, open_browser, pictures, serve, site } from './browse
 
 let browser, server;
 const downloads = mkdtempSync(join(tmpdir(), 'raywalk-downloads-'));
-mkdirSync(pictures, { recursive: true });
 
 before(async () => {
   browser = await open_browser({ 'browser.download.dir': downloads, 'browser.download.folderList': 2,

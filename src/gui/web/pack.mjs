@@ -6,16 +6,23 @@
 import { spawnSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { copyFileSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
 const [build, site] = process.argv.slice(2);
 const here = dirname(fileURLToPath(import.meta.url));
 const texts = join(here, '../../text');
-// What is said to readers of our scripts, in lines of its own, stays here.
+const tool = createRequire(join(build, '../emscripten/root/usr/share/emscripten/tools/'));
+const acorn = tool('acorn'), terser = tool('../third_party/terser/terser.js');
+// Scripts without what is said to their readers, and with short names for what only they see.
 const read = (folder, name) => {
   const text = readFileSync(join(folder, name), 'utf8');
-  return folder === here && name.endsWith('.js') ? text.replace(/^ *\/\/.*\n/gm, '') : text;
+  if (!name.endsWith('.js')) return text;
+  const script = terser.AST_Node.from_mozilla_ast(acorn.parse(text, { ecmaVersion: 2022 }));
+  script.figure_out_scope({});
+  script.mangle_names({});
+  return script.print_to_string({ shorthand: true });
 };
 
 // What the page runs, in this order, behind the program.
@@ -69,7 +76,7 @@ copyFileSync(join(here, 'manifest.webmanifest'), join(site, 'manifest.webmanifes
 copyFileSync(join(here, 'course.html'), join(site, 'course.html'));
 const kept = ['./', 'icon.svg', 'manifest.webmanifest', ...parts.map(([, name]) => `${version}/${name}`)];
 writeFileSync(join(site, 'kept.js'), read(here, 'kept.js')
-  .replace("'VERSION'", () => JSON.stringify(version)).replace('[]', () => JSON.stringify(kept)));
+  .replace('"VERSION"', () => JSON.stringify(version)).replace('[]', () => JSON.stringify(kept)));
 
 // --- The one file ------------------------------------------------------------------------------------------------------
 

@@ -6,9 +6,10 @@ set(page "${CMAKE_SOURCE_DIR}/src/gui/web")
 # take about half and two thirds as long again, and raywalk.html would be above its 2 MB otherwise.
 set(smallest accel/watched.cpp accel/accelerator_naive.cpp trace/kernel_naive.cpp trace/kernel_faulty.cpp
   trace/kernel_float.cpp trace/scene_kernel.cpp trace/photon_kernel.cpp trace/photon_lights.cpp trace/photon_map.cpp
-  trace/radiosity_kernel.cpp trace/patch_cutter.cpp
-  trace/beam_kernel.cpp trace/unfolded_plan.cpp
-  trace/clear_sky.cpp trace/bodies.cpp trace/world.cpp accel/structures.cpp accel/wide_tree.cpp accel/primitives.cpp)
+  trace/radiosity_kernel.cpp trace/radiosity_pass.cpp trace/patch_cutter.cpp trace/patches.cpp trace/patch_elements.cpp
+  trace/patch_light.cpp trace/beam_kernel.cpp trace/unfolded_plan.cpp trace/outlines.cpp
+  trace/clear_sky.cpp trace/bodies.cpp trace/world.cpp accel/structures.cpp accel/wide_tree.cpp accel/primitives.cpp
+  accel/search_record.cpp math/elementary/big_float.cpp)
 list(TRANSFORM smallest PREPEND "${CMAKE_SOURCE_DIR}/src/")
 set_source_files_properties(${smallest} PROPERTIES COMPILE_OPTIONS -Oz SKIP_PRECOMPILE_HEADERS ON)
 
@@ -26,7 +27,8 @@ string(REPLACE ";" "," glyphs "${glyphs}")
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 set(subset "${CMAKE_COMMAND}" -E env "PYTHONPATH=${CMAKE_SOURCE_DIR}/build/emscripten/root/usr/lib/python3/dist-packages"
     "${Python3_EXECUTABLE}" -m fontTools.subset
-    --unicodes=${glyphs} --layout-features= --name-IDs=0,1,2,13,14 --desubroutinize)
+    --unicodes=${glyphs} --layout-features= --name-IDs=0,1,2,13,14 --desubroutinize
+    --drop-tables+=GDEF,GPOS,GSUB,gasp)
 set(fonts)
 set(subset_fonts)
 foreach(font IN ITEMS opentype/inter/Inter-Regular.otf opentype/inter/Inter-SemiBold.otf
@@ -55,6 +57,11 @@ foreach(licence IN ITEMS "Raywalk=${CMAKE_SOURCE_DIR}/LICENSE" ${of_libraries}
     get_filename_component(name "${licence}" NAME)
   endif()
   file(READ "${licence}" text)
+  if(text MATCHES "^Format: ")  # without what is said of Debian's own files, of tests and of tools
+    string(REGEX REPLACE "Files-Excluded:[^\n]*\n( [^\n]*\n)*" "" text "${text}")
+    string(REGEX REPLACE "Files: *(debian|tests|tools|amiga|contrib)[^\n]*\n([^\n]+\n)*\n?" "" text "${text}")
+    string(REGEX REPLACE "License: (GPL-2[+]|U-OF-I-BSD-LIKE|BSD-3-clause)\n([^\n]+\n)*\n?" "" text "${text}")
+  endif()
   file(APPEND "${licences}.new" "== ${name} ==\n${text}\n")
 endforeach()
 configure_file("${licences}.new" "${licences}" COPYONLY)  # newer only if it changed
@@ -79,17 +86,21 @@ add_custom_command(
   VERBATIM)
 add_custom_target(raywalk_data DEPENDS "${data}.done")
 
-add_executable(raywalk "${page}/main.cpp" "${page}/mirror.cpp" "${page}/worker.cpp")
+add_executable(raywalk "${page}/main.cpp" "${page}/mirror.cpp" "${page}/worker.cpp" "${page}/libm.cpp")
 target_link_libraries(raywalk PRIVATE raywalk_gui)
+target_compile_options(raywalk PRIVATE -Oz)
 add_dependencies(raywalk raywalk_data)
 set_target_properties(raywalk PROPERTIES LINK_DEPENDS "${data}.done")
 target_link_options(raywalk PRIVATE
   "SHELL:--embed-file ${data}@/raywalk"
   # No eval, which a Content-Security-Policy forbids. Under Node, tests call what they want themselves.
   -sMODULARIZE -sEXPORT_NAME=Raywalk -sENVIRONMENT=web,worker,node -sDYNAMIC_EXECUTION=0
-  -Os # of what is linked only; each floor was compiled as it wants to be
+  -Oz # of what is linked only; each floor was compiled as it wants to be
   -sSTACK_SIZE=8MB -sINITIAL_MEMORY=32MB -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=2GB
   -sEXPORTED_RUNTIME_METHODS=FS,ccall -sFORCE_FILESYSTEM=1
+  # Of its JavaScript, what page.js, worker.js and tests ask of it.
+  -sINCOMING_MODULE_JS_API=canvas,arguments,preRun,noInitialRun,instantiateWasm,onAbort
+  -sGL_ENABLE_GET_PROC_ADDRESS=0 -sGL_SUPPORT_AUTOMATIC_ENABLE_EXTENSIONS=0 -sGL_SUPPORT_SIMPLE_ENABLE_EXTENSIONS=0
   --profiling-funcs) # order.mjs wants to see the names, and drops them
 find_program(RAYWALK_NODE node REQUIRED)
 add_custom_command(TARGET raywalk POST_BUILD COMMAND "${RAYWALK_NODE}" "${page}/order.mjs" "${CMAKE_BINARY_DIR}/raywalk.wasm"

@@ -82,7 +82,7 @@ unpack_emscripten() {
 
 # Small rather than fast: pictures and glyphs are read once. Like all of the page, they throw by WebAssembly's own means.
 # What they warn of is their authors' business.
-flags="-w -Oz -msimd128 -fwasm-exceptions -sSUPPORT_LONGJMP=wasm"
+flags="-w -Oz -DNDEBUG -msimd128 -fwasm-exceptions -sSUPPORT_LONGJMP=wasm"
 prefix=$libraries/prefix
 
 # by_cmake NAME ARGS...: configures, builds and installs it.
@@ -91,7 +91,7 @@ by_cmake() {
   shift
   emcmake cmake -G Ninja -S "$libraries/sources/$name" -B "$libraries/work/$name" -DCMAKE_BUILD_TYPE=Release \
     -DCMAKE_INSTALL_PREFIX="$prefix" -DCMAKE_C_FLAGS="$flags" -DCMAKE_CXX_FLAGS="$flags" \
-    -DCMAKE_C_FLAGS_RELEASE=-DNDEBUG -DCMAKE_CXX_FLAGS_RELEASE=-DNDEBUG -DCMAKE_FIND_ROOT_PATH="$prefix" \
+    -DCMAKE_C_FLAGS_RELEASE= -DCMAKE_CXX_FLAGS_RELEASE= -DCMAKE_FIND_ROOT_PATH="$prefix" \
     -DBUILD_SHARED_LIBS=OFF "$@" >/dev/null &&
     ninja -C "$libraries/work/$name" install >/dev/null
 }
@@ -129,29 +129,38 @@ build_libraries() {
   tar -xf "$libraries"/packages/qrencode_*.orig.tar.* -C "$from/qrencode" --strip-components=1
   export PATH=$emscripten/root/usr/share/emscripten:$PATH
 
-  by_hand zlib z -- adler32.c compress.c crc32.c deflate.c inffast.c inflate.c inftrees.c trees.c uncompr.c zutil.c
+  # Its tables of checksums are made when they are first used: no packer makes random numbers smaller.
+  by_hand zlib z -DDYNAMIC_CRC_TABLE -- adler32.c compress.c crc32.c deflate.c inffast.c inflate.c inftrees.c trees.c uncompr.c zutil.c
   cp "$from"/zlib/{zlib,zconf}.h "$prefix/include"
-  cp "$from"/libpng1.6/scripts/pnglibconf.h.prebuilt "$from"/libpng1.6/pnglibconf.h
+  # Without what says something beside the picture.
+  local chunks='eXIf|hIST|oFFs|pCAL|pHYs|sCAL|sPLT|tIME|TEXT|tEXt|zTXt|iTXt'
+  sed -E "s/^#define (PNG_(READ_|WRITE_)?($chunks)_SUPPORTED)/#undef \1/" \
+    "$from"/libpng1.6/scripts/pnglibconf.h.prebuilt >"$from"/libpng1.6/pnglibconf.h
   by_hand libpng1.6 png -- png.c pngerror.c pngget.c pngmem.c pngpread.c pngread.c pngrio.c pngrtran.c pngrutil.c \
     pngset.c pngtrans.c pngwio.c pngwrite.c pngwtran.c pngwutil.c
   cp "$from"/libpng1.6/{png,pngconf,pnglibconf}.h "$prefix/include"
   by_hand giflib gif -DHAVE_REALLOCARRAY=1 -- dgif_lib.c egif_lib.c gif_err.c gif_hash.c gifalloc.c openbsd-reallocarray.c
   cp "$from"/giflib/gif_lib.h "$prefix/include"
-  by_cmake libjpeg-turbo -DENABLE_SHARED=0 -DWITH_SIMD=0 -DWITH_JAVA=0
+  by_cmake libjpeg-turbo -DENABLE_SHARED=0 -DWITH_SIMD=0 -DWITH_JAVA=0 -DWITH_ARITH_ENC=0 -DWITH_ARITH_DEC=0
   # What the page's four fonts need: nothing packed, whose reader would be a second zlib, no names of glyphs in place of
-  # codes, no pictures, and none of TrueType's hints, which light hinting does not follow.
+  # codes, no pictures, no scripts of Asia, no tables of characters but the two kinds that fonts have today, and none of
+  # TrueType's hints, which light hinting does not follow.
   sed -i -E '/FT_USE_MODULE/{/ (autofit|tt_driver|cff_driver|psaux|psnames|pshinter|sfnt|ft_smooth_renderer)_/!d}' \
     "$from"/freetype/include/freetype/config/ftmodule.h
-  local unused='FT_CONFIG_OPTION_(USE_ZLIB|USE_LZW|ADOBE_GLYPH_LIST|MAC_FONTS|INCREMENTAL)'
+  local unused='FT_CONFIG_OPTION_(USE_ZLIB|USE_LZW|ADOBE_GLYPH_LIST|MAC_FONTS|INCREMENTAL|ENVIRONMENT_PROPERTIES|SVG)'
   unused+='|TT_CONFIG_OPTION_(BYTECODE_INTERPRETER|GX_VAR_SUPPORT|EMBEDDED_BITMAPS|COLOR_LAYERS|BDF)'
-  sed -i -E "s/^#define ($unused)/#undef \1/" "$from"/freetype/include/freetype/config/ftoption.h
+  unused+='|TT_CONFIG_CMAP_FORMAT_(0|2|6|8|10|13|14)|AF_CONFIG_OPTION_CJK'
+  sed -i -E "s/^#define ($unused)/#undef \1/; s/^#undef (T1_CONFIG_OPTION_NO_AFM)/#define \1/" "$from"/freetype/include/freetype/config/ftoption.h
   by_cmake freetype -DFT_DISABLE_ZLIB=ON -DFT_DISABLE_BZIP2=ON -DFT_DISABLE_PNG=ON -DFT_DISABLE_HARFBUZZ=ON \
     -DFT_DISABLE_BROTLI=ON
   by_cmake fmtlib -DFMT_TEST=OFF -DFMT_DOC=OFF
   by_hand qrencode qrencode -DSTATIC_IN_RELEASE=static -DMAJOR_VERSION=4 -DMINOR_VERSION=1 -DMICRO_VERSION=1 '-DVERSION="4.1.1"' -- \
     bitstream.c mask.c mmask.c mqrspec.c qrencode.c qrinput.c qrspec.c rsecc.c split.c
   cp "$from"/qrencode/qrencode.h "$prefix/include"
-  # With the parts that Debian's own has. GLFW is Emscripten's, which needs no library.
+  # With the parts that Debian's own has, but the font that it holds for who loads none. GLFW is Emscripten's, which needs
+  # no library.
+  sed -i '/^static const char proggy_clean_ttf_compressed_data_base85/,/;$/c static const char proggy_clean_ttf_compressed_data_base85[] = "";' \
+    "$from"/imgui/imgui_draw.cpp
   by_hand imgui imgui -std=c++17 "-I$prefix/include/freetype2" -Ibackends -DIMGUI_ENABLE_FREETYPE \
     -DIMGUI_IMPL_OPENGL_ES3 -DIMGUI_DISABLE_DEMO_WINDOWS -- imgui.cpp imgui_draw.cpp imgui_tables.cpp imgui_widgets.cpp \
     backends/imgui_impl_glfw.cpp backends/imgui_impl_opengl3.cpp misc/freetype/imgui_freetype.cpp
