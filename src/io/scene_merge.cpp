@@ -74,13 +74,16 @@ class Merger {
                               std::any_of(old.children.begin(), old.children.end(), is_gone);
     if (node.is_inline && changes_keys) return edits_.replace(node.value, inline_text(now));
 
-    // Keys before tables: a line that is added after a header belongs to that header's table.
-    for (const bool tables : {false, true})
+    // Keys before tables, and into tables that there are before new ones: a line that is added after a header belongs
+    // to that header's table.
+    enum class Turn { keys, tables, new_tables };
+    for (const Turn turn : {Turn::keys, Turn::tables, Turn::new_tables})
       for (const Value& child : now.children) {
-        if ((child.kind == Kind::table) != tables) continue;
         const LayoutNode* stated = node.find(child.key);
         const Value* before = old.find(child.key);
-        if (stated != nullptr && before != nullptr)
+        const bool is_there = stated != nullptr && before != nullptr;
+        if (turn != (child.kind != Kind::table ? Turn::keys : is_there ? Turn::tables : Turn::new_tables)) continue;
+        if (is_there)
           merge(*stated, *before, child, path.empty() ? child.key : path + "." + child.key);
         else if (is_new(child))
           add(node, now, child, path);

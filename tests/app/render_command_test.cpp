@@ -163,13 +163,13 @@ TEST_CASE("the statistics hold what is promised, and add up") {
   CHECK(rays.size() == 6);
   CHECK(rays.at("primary") == 441 * 331 * 4);
   std::uint64_t endings = 0;
-  for (const std::string ending : {"hit", "missed", "blocked", "reached_light"})
+  for (const std::string ending : {"hit", "missed", "blocked", "reached_light", "scattered"})
     endings += ended.at(ending).get<std::uint64_t>();
   CHECK(formed == endings);
   for (const std::string ending :
        {"depth", "threshold", "total_internal_reflection", "path_length", "facing_away", "outside_cone"})
     CHECK(ended.at(ending).is_number_unsigned());
-  CHECK(ended.size() == 10);
+  CHECK(ended.size() == 11);
   CHECK(json.at("tests").at("primitives").get<std::uint64_t>() > 0);
   CHECK(json.at("tests").at("nodes").is_number_unsigned());
   const auto exactly = json.at("tests").at("exactly_decided").get<std::uint64_t>();

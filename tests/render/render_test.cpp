@@ -173,8 +173,8 @@ TEST_CASE("the rays formed are those that ended, and unused effects draw nothing
     const Statistics& s = one.statistics;
     std::uint64_t formed = 0;
     for (const std::uint64_t count : s.rays) formed += count;
-    CHECK(formed ==
-          s.ends(Ending::hit) + s.ends(Ending::missed) + s.ends(Ending::blocked) + s.ends(Ending::reached_light));
+    CHECK(formed == s.ends(Ending::hit) + s.ends(Ending::missed) + s.ends(Ending::scattered) + s.ends(Ending::blocked) +
+                        s.ends(Ending::reached_light));
     CHECK(s.formed(RayKind::primary) == static_cast<std::uint64_t>(small.width * small.height));
     CHECK(s.formed(RayKind::shadow) == s.ends(Ending::blocked) + s.ends(Ending::reached_light));
     for (int i = 0; i < effect_count; ++i)
