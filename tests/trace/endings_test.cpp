@@ -18,7 +18,7 @@ std::uint64_t rays_formed(const Statistics& statistics) {
 
 std::uint64_t rays_ended(const Statistics& statistics) {
   return statistics.ends(Ending::hit) + statistics.ends(Ending::missed) + statistics.ends(Ending::blocked) +
-         statistics.ends(Ending::reached_light);
+         statistics.ends(Ending::reached_light) + statistics.ends(Ending::scattered);
 }
 
 // Two facing mirrors, 10 apart, one of them with a light source between them out of the way.
@@ -39,7 +39,8 @@ TEST_CASE("names of endings and ray kinds are those of the statistics file") {
   std::set<std::string_view> names;
   for (int i = 0; i < ending_count; ++i) names.insert(name_of(static_cast<Ending>(i)));
   CHECK(names == std::set<std::string_view>{"hit", "missed", "blocked", "reached_light", "depth", "threshold",
-                                            "total_internal_reflection", "path_length", "facing_away", "outside_cone"});
+                                            "total_internal_reflection", "path_length", "facing_away", "outside_cone",
+                                            "scattered"});
   std::set<std::string_view> kinds;
   for (int i = 0; i < ray_kind_count; ++i) kinds.insert(name_of(static_cast<RayKind>(i)));
   CHECK(kinds == std::set<std::string_view>{"primary", "shadow", "reflect", "refract", "photon", "beam"});

@@ -39,7 +39,7 @@ Scene scene_for(const HitEffects& set) {
 
 constexpr HitEffects with(bool reflection, bool refraction, bool textures, bool penumbra, bool lobes, bool nesting,
                           bool sky = false) {
-  return {reflection, refraction, textures, penumbra, lobes, true, nesting, true, sky};
+  return {reflection, refraction, textures, penumbra, lobes, true, nesting, true, false, sky};
 }
 constexpr HitEffects sets[] = {
     with(false, false, false, false, false, false), with(false, false, true, true, false, false),
