@@ -31,7 +31,9 @@ const scripts = ['embed.js', 'offline.js', 'workers.js', 'mirror.js', 'touch.js'
 // What is said before the program is there: the table [page] of each language.
 function page_words(toml) {
   const table = toml.match(/^\[page\]\n((?:(?!\[).*\n?)*)/m)?.[1] ?? '';
-  return Object.fromEntries([...table.matchAll(/^(\w+) = (".*")$/gm)].map(([, id, text]) => [id, JSON.parse(text)]));
+  const in_a_line = (lines) => `"${lines.replaceAll('\\\n', '')}"`;  // a \ at the end of a line joins the next to it
+  return Object.fromEntries([...table.matchAll(/^(\w+) = (?:"""\n([^]*?)"""|(".*"))$/gm)]
+    .map(([, id, lines, line]) => [id, JSON.parse(line ?? in_a_line(lines))]));
 }
 const words = Object.fromEntries(readdirSync(texts).filter((name) => name.endsWith('.toml'))
   .map((name) => [name.slice(0, -5), page_words(read(texts, name))]));
