@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <vector>
 
@@ -79,6 +80,16 @@ class HalfSpace {
   double kept_, albedo_;
   std::array<double, GaussLegendre::size> h_{};
 };
+
+/// Each is solved for once.
+const HalfSpace& half_space_of(double albedo) {
+  static const std::map<double, HalfSpace> all = [] {
+    std::map<double, HalfSpace> solved;
+    for (const double each : albedos) solved.emplace(each, HalfSpace(each));
+    return solved;
+  }();
+  return all.at(albedo);
+}
 
 /// The same by the dipole, however the light comes in: two sources, one inside and one above the surface, in place of
 /// all that is scattered (H. Jensen, S. Marschner, M. Levoy and P. Hanrahan, "A Practical Model for Subsurface Light
@@ -179,7 +190,7 @@ Experiment scattering_experiment(Effort effort, const Faults& faults) {
     std::vector<Trial> trials;
     // Under diffuse light each round looks from cosines of its own, one from each eighth of what is reflected.
     const auto walk = [&](const std::string& name, double knob, double albedo, int samples, Incidence incidence) {
-      const HalfSpace exact(albedo);
+      const HalfSpace& exact = half_space_of(albedo);
       const int angles = incidence == Incidence::normal ? 1 : 8;
       double mean = 0, squares = 0;
       Cost cost;
@@ -204,7 +215,8 @@ Experiment scattering_experiment(Effort effort, const Faults& faults) {
       for (const double albedo : albedos) {
         if (stop.asked()) return trials;
         walk("by albedo " + name_of(incidence), 1 - albedo, albedo, by_albedo, incidence);
-        const double ratio = dipole_reflectance(albedo) / (faults.reference * HalfSpace(albedo).reflectance(incidence));
+        const double ratio =
+            dipole_reflectance(albedo) / (faults.reference * half_space_of(albedo).reflectance(incidence));
         trials.push_back({round, "dipole " + name_of(incidence), 1 - albedo, std::abs(ratio - 1), ratio, {}});
       }
     }
