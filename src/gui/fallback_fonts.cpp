@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <fstream>
 #include <set>
 #include <system_error>
 #include <utility>
@@ -75,10 +74,10 @@ std::size_t rank_of(const fs::path& path) {
 
 /// Whether it begins as TrueType, OpenType and collections of them do: ImGui gives up on anything else.
 bool begins_as_font(const std::string& file) {
-  std::array<char, 4> head{};
-  std::ifstream(file, std::ios::binary).read(head.data(), head.size());
+  constexpr std::size_t most = 1 << 28;
+  const auto bytes = read_file(file, most);
   constexpr std::array<std::string_view, 4> heads{std::string_view("\0\1\0\0", 4), "OTTO", "true", "ttcf"};
-  return std::find(heads.begin(), heads.end(), std::string_view(head.data(), head.size())) != heads.end();
+  return bytes && std::find(heads.begin(), heads.end(), std::string_view(*bytes).substr(0, 4)) != heads.end();
 }
 
 #if IMGUI_VERSION_NUM < 19200

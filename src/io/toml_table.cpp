@@ -3,10 +3,13 @@
 #include "io/scene_values.h"
 #include "text/toml_text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <sstream>
+#include <cstdlib>
+#include <optional>
 
 namespace raywalk {
 
@@ -21,6 +24,21 @@ std::string key_text(std::string_view key) {
   return is_bare ? std::string(key) : toml_text::quoted(key);
 }
 
+std::string date_text(const toml::date& date) {
+  return fmt::format("{:04}-{:02}-{:02}", date.year, date.month, date.day);
+}
+
+std::string time_text(const toml::time& time) {
+  std::string text = fmt::format("{:02}:{:02}:{:02}", time.hour, time.minute, time.second);
+  return time.nanosecond == 0 ? text : text + fmt::format(".{:09}", time.nanosecond);
+}
+
+std::string offset_text(const std::optional<toml::time_offset>& offset) {
+  if (!offset) return "";
+  const int minutes = std::abs(offset->minutes);
+  return minutes == 0 ? "Z" : fmt::format("{}{:02}:{:02}", offset->minutes < 0 ? '-' : '+', minutes / 60, minutes % 60);
+}
+
 std::string scalar_text(const toml::node& node) {
   if (node.is_string()) return toml_text::quoted(node.value_or(std::string()));
   if (const double number = node.value_or(0.0); node.is_floating_point()) {
@@ -28,11 +46,12 @@ std::string scalar_text(const toml::node& node) {
     if (std::isinf(number)) return number < 0 ? "-inf" : "inf";
     return toml_text::number(number);
   }
-  std::ostringstream text;  // integers, booleans, dates and times
-  node.visit([&](const auto& value) {
-    if constexpr (toml::is_value<decltype(value)>) text << value;
-  });
-  return text.str();
+  if (const auto* whole = node.as_integer()) return fmt::format("{}", whole->get());
+  if (const auto* boolean = node.as_boolean()) return boolean->get() ? "true" : "false";
+  if (const auto* date = node.as_date()) return date_text(date->get());
+  if (const auto* time = node.as_time()) return time_text(time->get());
+  const toml::date_time moment = node.value_or(toml::date_time());
+  return date_text(moment.date) + "T" + time_text(moment.time) + offset_text(moment.offset);
 }
 
 Value value_of(const toml::node& node, std::string key) {

@@ -6,8 +6,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
-#include <cstdlib>
 
 namespace raywalk::detail {
 
@@ -22,18 +20,6 @@ bool is_control(char c) {
 std::string shown(std::string_view word) {
   constexpr std::size_t longest = 40;
   return word.size() <= longest ? toml_text::quoted(word) : "a long word";
-}
-
-/// Decimal digits with optional sign, point and exponent; other forms that strtod accepts are refused.
-std::optional<double> decimal(std::string_view word) {
-  constexpr std::size_t longest = 400;
-  if (word.empty() || word.size() > longest || word.find_first_not_of("+-.0123456789eE") != std::string_view::npos ||
-      word.find_first_of("0123456789") == std::string_view::npos)
-    return std::nullopt;
-  const std::string text(word);
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  return end == text.c_str() + text.size() ? std::optional(value) : std::nullopt;
 }
 
 }  // namespace
@@ -142,7 +128,7 @@ void WordReader::fail_word(std::string_view what, std::string_view word, const s
 double WordReader::number(std::string_view what, const schema::Number& rule) {
   const std::string_view text = word();
   if (error_) return 0;
-  const std::optional<double> value = decimal(text);
+  const std::optional<double> value = toml_text::read_number(text);
   const auto refusal = value ? rule.refusal(*value) : std::nullopt;
   if (!value)
     fail_word(what, text, rule.expected(), "a number is written as 2, -0.5 or 1e-3");

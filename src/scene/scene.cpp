@@ -1,5 +1,7 @@
 #include "scene/scene.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -75,6 +77,17 @@ struct Encloses {
   }
 };
 
+/// About how far light goes through a body on a straight line: the mean chord of its box, 4 V / S (Cauchy). It is also the
+/// mean length of the crooked paths that scattered light takes from surface to surface, however much it scatters (S. Blanco
+/// and R. Fournier, "An invariance property of diffusive random walks", Europhysics Letters 61, 2003).
+double mean_chord(const Object& object) {
+  const Bounds<double> box = image_of(affine_of(object.transform), bounds(object.shape));
+  if (box.empty()) return 0;
+  if (!box.bounded()) return infinity<double>;
+  const Vec3d size = box.max - box.min;
+  return 2 / (1 / size.x + 1 / size.y + 1 / size.z);
+}
+
 }  // namespace
 
 std::string why_no_walk_inside(const Object& object) {
@@ -83,12 +96,20 @@ std::string why_no_walk_inside(const Object& object) {
   const std::string shape(shape_name(object.shape));
   if (!std::visit(Encloses{}, object.shape))
     return "light is scattered inside, but this " + shape + " encloses nothing (expected a closed shape)";
-  bool lossless = false;
-  for (int c = 0; c < 3; ++c) lossless = lossless || (material.scattering[c] > 0 && material.absorption[c] == 0);
-  const Bounds<double> box = bounds(object.shape);
-  if (lossless && !box.empty() && !box.bounded())
+  const double chord = mean_chord(object);
+  double most = 0;  // how often a path scatters until it is out or absorbed, on average
+  for (int c = 0; c < 3; ++c)
+    if (material.scattering[c] > 0)
+      most = std::max(most, material.scattering[c] * std::min(chord, 1 / material.absorption[c]));
+  if (most == infinity<double>)
     return "light is scattered inside without loss, but this " + shape +
            " has no end: paths might never leave it (expected an absorption above 0, or a bounded shape)";
+  constexpr double patience = 1e5;
+  if (most > patience)
+    return fmt::format(
+        "light is scattered inside so often that a path would turn about {:.0e} times before it leaves this {} or is absorbed "
+        "(expected at most {:.0e} times: less scattering, more absorption, or a smaller body)",
+        most, shape, patience);
   return {};
 }
 

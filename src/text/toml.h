@@ -5,6 +5,8 @@
 
 // Errors are results here, not exceptions: the browser build has none.
 #define TOML_EXCEPTIONS 0
+// Nor does it read whole numbers by streams there, whatever version 3.3 believes of it.
+#define TOML_INT_CHARCONV 1
 // What is no template is compiled once, in toml.cpp, and not in each file that includes this.
 #define TOML_HEADER_ONLY 0
 // Some of the library's assertions fail on malformed text (3.3.0: the header "[=]"), which it then refuses properly.

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 
 namespace raywalk::toml_text {
 
@@ -176,6 +177,17 @@ std::string number(double value) {
   // An integer 0 has no sign in TOML.
   if (value == 0 && std::signbit(value)) return "-0.0";
   return fmt::format("{}", value);
+}
+
+std::optional<double> read_number(std::string_view word) {
+  constexpr std::size_t longest = 400;
+  if (word.empty() || word.size() > longest || word.find_first_not_of("+-.0123456789eE") != std::string_view::npos ||
+      word.find_first_of("0123456789") == std::string_view::npos)
+    return std::nullopt;
+  const std::string text(word);
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  return end == text.c_str() + text.size() ? std::optional(value) : std::nullopt;
 }
 
 }  // namespace raywalk::toml_text

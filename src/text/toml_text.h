@@ -4,6 +4,7 @@
 #include "text/error.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -22,5 +23,9 @@ namespace raywalk::toml_text {
 
 /// The shortest TOML number that is read back as the same double. Not for NaN and infinity.
 [[nodiscard]] std::string number(double value);
+
+/// A whole word as a number: decimal digits with optional sign, point and exponent, and no other form that strtod
+/// reads. None if it is anything else.
+[[nodiscard]] std::optional<double> read_number(std::string_view word);
 
 }  // namespace raywalk::toml_text

@@ -81,7 +81,7 @@ class BeamDescriber {
 
   [[nodiscard]] Told describe(const Event& event, const Decided& decided) const {
     const bool nothing = part().object < 0;
-    if (event.line == Line::if_straight_mirror) {
+    if (event.line == Line::if_flat_mirror) {
       if (nothing) return Message{"walk.part_background_no_mirror", {}};
       if (!decided.holds) return Message{"walk.part_no_mirror", {{"object", seen()}}};
       return Message{"walk.part_mirrors", {{"object", seen()}, {"weight", decided.weight}}};

@@ -161,9 +161,9 @@ bool BeamTracer<Watcher>::is_straight(const Part& part) const {
 }
 
 template <class Watcher>
-bool BeamTracer<Watcher>::decide_straight_mirror(int depth, const Part& part) {
+bool BeamTracer<Watcher>::decide_flat_mirror(int depth, const Part& part) {
   const bool holds = part.at && is_straight(part) && !is_black(part.at->bsdf.mirror);
-  note(Line::if_straight_mirror, depth, [&] { return Decided{holds, part.at ? part.at->bsdf.mirror : Rgbd(0.0)}; });
+  note(Line::if_flat_mirror, depth, [&] { return Decided{holds, part.at ? part.at->bsdf.mirror : Rgbd(0.0)}; });
   return holds;
 }
 

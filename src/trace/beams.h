@@ -6,7 +6,7 @@
 // trace/beam_steps.h.
 //
 // A part is shaded by one ray, in its middle: along it the shade is taken as constant, which is exact where it is. A
-// straight mirror reflects a beam as a beam. Neither a curved mirror nor glass does, but in approximation: of these a
+// flat mirror reflects a beam as a beam. Neither a curved mirror nor glass does, but in approximation: of these a
 // single ray is followed, from the middle, as trace/tracer.h does.
 //
 // The world is flat: everything is endless along z, and what lies above or below the plan is not there.
@@ -112,8 +112,8 @@ class BeamTracer {
       // Shade its middle
       const Rgbd local = shade_middle(depth, part, direct);
       Rgbd reflected{0.0}, refracted{0.0};
-      // If straight mirror
-      if (decide_straight_mirror(depth, part)) {
+      // If flat mirror
+      if (decide_flat_mirror(depth, part)) {
         // Form mirrored beam
         if (const std::optional<Beam> mirrored = form_mirrored_beam(depth, part, beam)) {
           // Cut it by outlines and shadows
@@ -159,7 +159,7 @@ class BeamTracer {
                  const Rgbd& visible);
   Rgbd shade_middle(int depth, const Part& part, const DirectLighting& direct);
   [[nodiscard]] bool is_straight(const Part& part) const;
-  bool decide_straight_mirror(int depth, const Part& part);
+  bool decide_flat_mirror(int depth, const Part& part);
   std::optional<Beam> form_mirrored_beam(int depth, const Part& part, const Beam& beam);
   bool decide_curved_or_glass(int depth, const Part& part);
   [[nodiscard]] bool sends(const Part& part, RayKind kind) const;

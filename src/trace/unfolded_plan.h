@@ -60,7 +60,7 @@ struct ExactPoint {
 };
 }  // namespace detail
 
-/// The outlines of a plan as an eye sees them, directly or by straight mirrors.
+/// The outlines of a plan as an eye sees them, directly or by flat mirrors.
 class UnfoldedPlan {
  public:
   /// `outlines` outlive this.

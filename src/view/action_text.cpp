@@ -1,14 +1,14 @@
 #include "view/action_text.h"
 
+#include "text/toml_text.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <locale>
 #include <optional>
 #include <span>
-#include <sstream>
 #include <type_traits>
 #include <utility>
 
@@ -171,10 +171,9 @@ class ActionReader final : public Fields {
     return word;
   }
   bool parse(double& value) {
-    // Not strtod, whose decimal point depends on the user's locale.
-    std::istringstream in{std::string(peek())};
-    in.imbue(std::locale::classic());
-    if (!(in >> value) || !(in >> std::ws).eof()) return false;
+    const std::optional<double> number = toml_text::read_number(peek());
+    if (!number || !std::isfinite(*number)) return false;
+    value = *number;
     static_cast<void>(next());
     return true;
   }

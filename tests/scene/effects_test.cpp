@@ -1,6 +1,8 @@
 #include "scene/effects.h"
 
 #include <set>
+#include <tuple>
+#include <vector>
 
 #include "support/catch.h"
 
@@ -151,4 +153,18 @@ TEST_CASE("light is scattered only in what encloses something and can be left") 
   CHECK(why_no_walk_inside({"Sea", Plane<double>{}, milk}).find("has no end") != std::string::npos);
   milk.absorption = Rgbd(0.1);
   CHECK(why_no_walk_inside({"Sea", Plane<double>{}, milk}).empty());
+  milk.absorption = Rgbd(0.0);
+  Object ball{"Ball", Sphere<double>{}, milk};
+  const std::vector<std::tuple<double, double, bool>> cases{
+      {1e4, 1, true}, {1e9, 1, false}, {1e9, 1e-6, true}, {10, 1e6, false}};
+  for (const auto& [scattering, size, fits] : cases) {
+    CAPTURE(scattering, size);
+    ball.material.scattering = Rgbd(0.0, scattering, 0.0);
+    ball.transform = {{Scale{Vec3d(size)}}};
+    CHECK(why_no_walk_inside(ball).empty() == fits);
+  }
+  ball.material.absorption = Rgbd(1e-3);
+  CHECK(why_no_walk_inside(ball).empty());
+  ball.material.absorption = Rgbd(1e-9);
+  CHECK(why_no_walk_inside(ball).find("turn about 1e+07 times") != std::string::npos);
 }

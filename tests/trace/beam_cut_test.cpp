@@ -85,7 +85,7 @@ TEST_CASE("what is nearer hides what is farther, and crossing outlines hide each
   CHECK(parts[1].outline == 0);
 }
 
-TEST_CASE("a straight mirror shows the plan reflected, and nothing that stands behind it") {
+TEST_CASE("a flat mirror shows the plan reflected, and nothing that stands behind it") {
   // A mirror along y = x from (1, 1) to (3, 3), seen from (4, 0): rays towards -x come back towards -y.
   const std::vector<Outline> plan{side({1, 1}, {3, 3}, 0), side({2.25, -2}, {3, -2}, 1), side({1.5, 3}, {2, 3}, 2)};
   const Vec2d eye(4, 0);

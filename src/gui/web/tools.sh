@@ -169,7 +169,16 @@ build_libraries() {
   cp "$from"/imgui/backends/imgui_impl_{glfw,opengl3}.h "$prefix/include/imgui/backends"
   # Libraries that are only headers are this system's own.
   local header
-  for header in glm tl toml++ nlohmann; do ln -sfn "/usr/include/$header" "$prefix/include/$header"; done
+  for header in glm tl nlohmann; do ln -sfn "/usr/include/$header" "$prefix/include/$header"; done
+  # This standard library's from_chars knows no fractions, which toml++ then reads by a stream: the only one of the page,
+  # and it would bring its locales along.
+  cp -rL /usr/include/toml++ "$prefix/include"
+  sed -i '/^\t*std::stringstream ss;$/,/^\t*if ((ss >> result))$/c\
+				const std::string text(chars, length);\
+				char* end = nullptr;\
+				result = std::strtod(text.c_str(), \&end);\
+				if (end == text.c_str() + length \&\& (result == 0 || result - result == 0))' \
+    "$prefix"/include/toml++/impl/parser.inl
 
   # The page shows in its help what each of them asks to be shown.
   local licences=$prefix/share/licences

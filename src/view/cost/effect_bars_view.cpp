@@ -9,8 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace raywalk {
@@ -30,10 +30,12 @@ struct BarRow {
 };
 
 /// Wrapped at words to this width.
-std::vector<std::string> lines_of(const std::string& what, double letters, double width) {
+std::vector<std::string> lines_of(std::string_view rest, double letters, double width) {
   std::vector<std::string> lines(1);
-  std::istringstream words(what);
-  for (std::string word; words >> word;) {
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find(' '), rest.size());
+    const std::string word(rest.substr(0, end));
+    rest.remove_prefix(std::min(end + 1, rest.size()));
     const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
     if (lines.back().empty() || text_width(longer, letters) <= width)
       lines.back() = longer;
