@@ -15,9 +15,13 @@ process.on('exit', () => rmSync(folder, { recursive: true }));
 export const five = ['classic', 'whitted', 'distributed', 'cornell', 'mesh'];
 const all_scenes = readdirSync(scenes).filter((name) => name.endsWith('.toml')).map((name) => name.slice(0, -5));
 
-// Every shipped scene, by every integrator, in both precisions.
-export const all_pictures = all_scenes.flatMap((scene) => ['cast', 'whitted', 'distributed', 'path'].flatMap((integrator) =>
-  ['float', 'double'].map((precision) => ({ scene, integrator, precision, size: [37, 28] }))));
+// Every shipped scene, by every integrator that takes any scene, and by the others where they are at home, in both
+// precisions.
+const at_home = { photons: ['caustic', 'classic', 'cornell'], radiosity: ['radiosity'], beams: ['beams'] };
+export const all_pictures = [
+  ...all_scenes.flatMap((scene) => ['cast', 'whitted', 'distributed', 'path'].map((integrator) => ({ scene, integrator }))),
+  ...Object.entries(at_home).flatMap(([integrator, scenes]) => scenes.map((scene) => ({ scene, integrator }))),
+].flatMap((picture) => ['float', 'double'].map((precision) => ({ ...picture, precision, size: [37, 28] })));
 export const named = ({ scene, integrator, precision }) => [scene, integrator, precision].filter((word) => word).join(' ');
 
 export const hash_of = (bytes) => createHash('sha256').update(bytes).digest('hex');

@@ -85,31 +85,28 @@ unpack_emscripten() {
 flags="-w -Oz -DNDEBUG -msimd128 -fwasm-exceptions -sSUPPORT_LONGJMP=wasm"
 prefix=$libraries/prefix
 
-# by_cmake NAME ARGS...: configures, builds and installs it.
+# by_cmake NAME TARGET ARGS...: configures it and builds this target, which may be `install`.
 by_cmake() {
-  local name=$1
-  shift
+  local name=$1 target=$2
+  shift 2
   emcmake cmake -G Ninja -S "$libraries/sources/$name" -B "$libraries/work/$name" -DCMAKE_BUILD_TYPE=Release \
     -DCMAKE_INSTALL_PREFIX="$prefix" -DCMAKE_C_FLAGS="$flags" -DCMAKE_CXX_FLAGS="$flags" \
     -DCMAKE_C_FLAGS_RELEASE= -DCMAKE_CXX_FLAGS_RELEASE= -DCMAKE_FIND_ROOT_PATH="$prefix" \
     -DBUILD_SHARED_LIBS=OFF "$@" >/dev/null &&
-    ninja -C "$libraries/work/$name" install >/dev/null
+    ninja -C "$libraries/work/$name" "$target" >/dev/null
 }
 
-# by_hand NAME LIBRARY FLAGS -- FILES...: compiles these files of it into libLIBRARY.a.
+# by_hand NAME LIBRARY FLAGS -- FILES...: compiles these files of it into libLIBRARY.a; all at once, for the compiler's
+# driver takes longer to start than most of them to compile.
 by_hand() {
-  local name=$1 library=$2 folder file objects=() own=()
-  folder=$libraries/sources/$name
+  local name=$1 library=$2 folder=$libraries/sources/$1 own=()
   shift 2
   while [[ $1 != -- ]]; do own+=("$1"); shift; done
   shift
   mkdir -p "$libraries/work/$name"
-  for file; do
-    objects+=("$libraries/work/$name/${file//\//_}.o")
-    # shellcheck disable=SC2086  # the flags are words
-    (cd "$folder" && emcc $flags "${own[@]}" -I. "-I$prefix/include" -c "$file" -o "${objects[-1]}") || return
-  done
-  emar rcs "$prefix/lib/lib$library.a" "${objects[@]}"
+  # shellcheck disable=SC2086  # the flags are words
+  (cd "$libraries/work/$name" && emcc $flags "${own[@]}" "-I$folder" "-I$prefix/include" -c "${@/#/$folder/}" &&
+    emar rcs "$prefix/lib/lib$library.a" ./*.o)
 }
 
 build_libraries() {
@@ -141,7 +138,9 @@ build_libraries() {
   cp "$from"/libpng1.6/{png,pngconf,pnglibconf}.h "$prefix/include"
   by_hand giflib gif -DHAVE_REALLOCARRAY=1 -- dgif_lib.c egif_lib.c gif_err.c gif_hash.c gifalloc.c openbsd-reallocarray.c
   cp "$from"/giflib/gif_lib.h "$prefix/include"
-  by_cmake libjpeg-turbo -DENABLE_SHARED=0 -DWITH_SIMD=0 -DWITH_JAVA=0 -DWITH_ARITH_ENC=0 -DWITH_ARITH_DEC=0
+  by_cmake libjpeg-turbo turbojpeg-static -DENABLE_SHARED=0 -DWITH_SIMD=0 -DWITH_JAVA=0 -DWITH_ARITH_ENC=0 -DWITH_ARITH_DEC=0
+  cp "$libraries/work/libjpeg-turbo/libturbojpeg.a" "$prefix/lib"
+  cp "$from/libjpeg-turbo/turbojpeg.h" "$prefix/include"
   # What the page's four fonts need: nothing packed, whose reader would be a second zlib, no names of glyphs in place of
   # codes, no pictures, no scripts of Asia, no tables of characters but the two kinds that fonts have today, and none of
   # TrueType's hints, which light hinting does not follow.
@@ -151,9 +150,9 @@ build_libraries() {
   unused+='|TT_CONFIG_OPTION_(BYTECODE_INTERPRETER|GX_VAR_SUPPORT|EMBEDDED_BITMAPS|COLOR_LAYERS|BDF)'
   unused+='|TT_CONFIG_CMAP_FORMAT_(0|2|6|8|10|13|14)|AF_CONFIG_OPTION_CJK'
   sed -i -E "s/^#define ($unused)/#undef \1/; s/^#undef (T1_CONFIG_OPTION_NO_AFM)/#define \1/" "$from"/freetype/include/freetype/config/ftoption.h
-  by_cmake freetype -DFT_DISABLE_ZLIB=ON -DFT_DISABLE_BZIP2=ON -DFT_DISABLE_PNG=ON -DFT_DISABLE_HARFBUZZ=ON \
+  by_cmake freetype install -DFT_DISABLE_ZLIB=ON -DFT_DISABLE_BZIP2=ON -DFT_DISABLE_PNG=ON -DFT_DISABLE_HARFBUZZ=ON \
     -DFT_DISABLE_BROTLI=ON
-  by_cmake fmtlib -DFMT_TEST=OFF -DFMT_DOC=OFF
+  by_cmake fmtlib install -DFMT_TEST=OFF -DFMT_DOC=OFF
   by_hand qrencode qrencode -DSTATIC_IN_RELEASE=static -DMAJOR_VERSION=4 -DMINOR_VERSION=1 -DMICRO_VERSION=1 '-DVERSION="4.1.1"' -- \
     bitstream.c mask.c mmask.c mqrspec.c qrencode.c qrinput.c qrspec.c rsecc.c split.c
   cp "$from"/qrencode/qrencode.h "$prefix/include"
@@ -161,7 +160,7 @@ build_libraries() {
   # no library.
   sed -i '/^static const char proggy_clean_ttf_compressed_data_base85/,/;$/c static const char proggy_clean_ttf_compressed_data_base85[] = "";' \
     "$from"/imgui/imgui_draw.cpp
-  by_hand imgui imgui -std=c++17 "-I$prefix/include/freetype2" -Ibackends -DIMGUI_ENABLE_FREETYPE \
+  by_hand imgui imgui -std=c++17 "-I$prefix/include/freetype2" "-I$from/imgui/backends" -DIMGUI_ENABLE_FREETYPE \
     -DIMGUI_IMPL_OPENGL_ES3 -DIMGUI_DISABLE_DEMO_WINDOWS -- imgui.cpp imgui_draw.cpp imgui_tables.cpp imgui_widgets.cpp \
     backends/imgui_impl_glfw.cpp backends/imgui_impl_opengl3.cpp misc/freetype/imgui_freetype.cpp
   mkdir -p "$prefix/include/imgui/backends"
