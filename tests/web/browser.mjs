@@ -136,6 +136,26 @@ export class Visit {
     this.session ??= is_firefox ? null : await this.page.createCDPSession();
     await Promise.all([this.touch('touchstart', [x, y]), this.touch('touchend')]);
   }
+  // How many parts stand apart from left to right in what is written on an item: about as many as its word has letters.
+  async letters_on(item) {
+    const { items: { [item]: [x, y, width, height] } } = await this.until((now) => item in now.items, `there is an item ${item}`);
+    const picture = await this.page.screenshot({ clip: { x: x + 2, y: y + 2, width: width - 4, height: height - 4 }, encoding: 'base64' });
+    const blank = await this.context.newPage(); // where no policy forbids to open it
+    const apart = await blank.evaluate(async (source) => {
+      const image = new Image;
+      image.src = source;
+      await image.decode();
+      const canvas = new OffscreenCanvas(image.width, image.height), context = canvas.getContext('2d');
+      context.drawImage(image, 0, 0);
+      const { data } = context.getImageData(0, 0, image.width, image.height);
+      const unlike = (a, b) => Math.abs(data[a] - data[b]) + Math.abs(data[a + 1] - data[b + 1]) + Math.abs(data[a + 2] - data[b + 2]) > 90;
+      const is_written = (column) => Array.from({ length: image.height }, (_, row) => 4 * (row * image.width + column))
+        .some((pixel) => unlike(pixel, 4 * image.width * (image.height >> 1)));
+      return Array.from({ length: image.width }, (_, column) => is_written(column)).filter((is, i, all) => is && !all[i - 1]).length;
+    }, `data:image/png;base64,${picture}`);
+    await blank.close();
+    return apart;
+  }
   async click(item) {
     const report = await this.until((now) => item in now.items, `there is an item ${item}`);
     const [x, y, width, height] = report.items[item];

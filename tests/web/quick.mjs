@@ -20,6 +20,8 @@ test('the page starts, and STEP steps', async () => {
   const visit = await Visit.begin(browser, server.address);
   await visit.page.keyboard.press(' ');
   await visit.until((now) => now.position === 1);
+  const letters = await visit.letters_on('step');
+  assert.ok(letters >= 3 && letters <= 12, `STEP can be read (${letters} parts)`);
   assert.deepEqual(visit.complaints, []);
   await visit.page.close();
 });

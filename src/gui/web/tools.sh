@@ -152,7 +152,8 @@ build_libraries() {
   sed -i -E "s/^#define ($unused)/#undef \1/; s/^#undef (T1_CONFIG_OPTION_NO_AFM)/#define \1/" "$from"/freetype/include/freetype/config/ftoption.h
   by_cmake freetype install -DFT_DISABLE_ZLIB=ON -DFT_DISABLE_BZIP2=ON -DFT_DISABLE_PNG=ON -DFT_DISABLE_HARFBUZZ=ON \
     -DFT_DISABLE_BROTLI=ON
-  by_cmake fmtlib install -DFMT_TEST=OFF -DFMT_DOC=OFF
+  # Nobody asks for digits in groups, for which it would look into the standard library's locales.
+  by_cmake fmtlib install -DFMT_TEST=OFF -DFMT_DOC=OFF "-DCMAKE_CXX_FLAGS=$flags -DFMT_STATIC_THOUSANDS_SEPARATOR=44"
   by_hand qrencode qrencode -DSTATIC_IN_RELEASE=static -DMAJOR_VERSION=4 -DMINOR_VERSION=1 -DMICRO_VERSION=1 '-DVERSION="4.1.1"' -- \
     bitstream.c mask.c mmask.c mqrspec.c qrencode.c qrinput.c qrspec.c rsecc.c split.c
   cp "$from"/qrencode/qrencode.h "$prefix/include"
