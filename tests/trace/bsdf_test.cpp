@@ -84,7 +84,7 @@ TEST_CASE("the balance of two strategies: weights sum to 1, at all sizes") {
   CHECK(power_heuristic(inf, inf) == 0.5);
 }
 
-TEST_CASE("densities of all lobes together integrate to 1, their values to what is drawn") {
+TEST_CASE("densities of all lobes together integrate to 1, their values to what is drawn", "[odds]") {
   std::size_t number = 0;
   for (const double degrees : {0.0, 30.0, 60.0, 85.0}) {
     if (left_out(number++, 4)) continue;
@@ -157,7 +157,7 @@ TEST_CASE("each lobe is drawn by its density") {
   }
 }
 
-TEST_CASE("no lobe gives back more than came") {
+TEST_CASE("no lobe gives back more than came", "[odds]") {
   std::size_t number = 0;
   for (const double degrees : {0.0, 20.0, 45.0, 70.0, 89.0}) {
     if (left_out(number++, 5)) continue;

@@ -69,7 +69,7 @@ Counted count(const Scene& scene, const Vec3d& point, double angle = pi_v<double
 
 }  // namespace
 
-TEST_CASE("each shape is drawn by the density that it tells, and fills the solid angle that it fills") {
+TEST_CASE("each shape is drawn by the density that it tells, and fills the solid angle that it fills", "[odds]") {
   const std::vector<TransformStep> turned{{Scale{{2, 2, 2}}}, {Rotate{{1, 2, 3}, 40}}, {Translate{{0.3, -0.2, 0.4}}}};
   const std::vector<TransformStep> sheared{
       {Scale{{2, 0.5, 1}}}, {Shear{0.4, 0, 0, 0.2, 0, 0}}, {Rotate{{0, 1, 1}, 70}}};
@@ -103,7 +103,7 @@ TEST_CASE("each shape is drawn by the density that it tells, and fills the solid
     }
 }
 
-TEST_CASE("from inside, the light is all around") {
+TEST_CASE("from inside, the light is all around", "[odds]") {
   for (const Shape<double>& shape :
        {Shape<double>(Sphere<double>{{0, 0, 0}, 2}), Shape<double>(Box<double>{{-2, -3, -1}, {1, 2, 3}}),
         Shape<double>(Prism<double>{{{-2, -2}, {2, -1}, {0, 3}}, 3})}) {

@@ -57,7 +57,7 @@ void check_free_paths(const Rgbd& extinction, const Rgbd& scattering, const Rgbd
 
 }  // namespace
 
-TEST_CASE("free paths bring what Beer's law says, whichever channel is walked") {
+TEST_CASE("free paths bring what Beer's law says, whichever channel is walked", "[odds]") {
   const auto check = []<class T>(T) {
     check_free_paths<T>({1.5, 1.5, 1.5}, {1.2, 0.3, 1.5}, {1, 1, 1}, 0.7);
     check_free_paths<T>({0.5, 2, 3}, {0.4, 1, 3}, {0.4, 1, 0.7}, 0.7);

@@ -67,7 +67,7 @@ void check_close(const Estimate& found, double exact) {
 
 }  // namespace
 
-TEST_CASE("a half-space that scatters evenly reflects what Chandrasekhar says") {
+TEST_CASE("a half-space that scatters evenly reflects what Chandrasekhar says", "[odds]") {
   const int samples = rounds(1 << 20);
   check_close(seen_at(half_space(0.9), 1, samples), 0.414947);
   check_close(seen_at(half_space(0.5), 1, samples), 0.115226);
@@ -75,7 +75,7 @@ TEST_CASE("a half-space that scatters evenly reflects what Chandrasekhar says") 
   check_close(diffuse(half_space(0.5), samples, false), 0.146544);
 }
 
-TEST_CASE("a half-space in the plan reflects what d'Eon and Williams say of Flatland") {
+TEST_CASE("a half-space in the plan reflects what d'Eon and Williams say of Flatland", "[odds]") {
   const int samples = rounds(1 << 20);
   check_close(seen_at(half_space(0.9), 1, samples, true), 0.452252);
   check_close(seen_at(half_space(0.5), 1, samples, true), 0.132943);
@@ -83,7 +83,7 @@ TEST_CASE("a half-space in the plan reflects what d'Eon and Williams say of Flat
   check_close(diffuse(half_space(0.5), samples, true), 0.152397);
 }
 
-TEST_CASE("what absorbs nothing reflects by Chandrasekhar's H") {
+TEST_CASE("what absorbs nothing reflects by Chandrasekhar's H", "[odds]") {
   // Lit and seen at one angle; a slab keeps 1 / (its thickness + twice the extrapolated end point) of it (H. van de
   // Hulst, "Multiple Light Scattering", 1980), and what is left out falls as exp(-thickness).
   constexpr double thickness = 24, beyond = 2 * 0.7104460895987;
@@ -149,7 +149,7 @@ TEST_CASE("channels that scatter differently are each as if alone") {
   }
 }
 
-TEST_CASE("in a white furnace a body that absorbs nothing cannot be seen") {
+TEST_CASE("in a white furnace a body that absorbs nothing cannot be seen", "[odds]") {
   for (const double g : {-0.6, 0.0, 0.8}) {
     Scene scene;
     scene.render.sampler = Sampler::random;
@@ -176,7 +176,7 @@ TEST_CASE("in a white furnace a body that absorbs nothing cannot be seen") {
   }
 }
 
-TEST_CASE("light is found from inside alike, whichever way they are sampled") {
+TEST_CASE("light is found from inside alike, whichever way they are sampled", "[odds]") {
   Scene scene;
   scene.render.sampler = Sampler::random;
   scene.objects = {object("Milk", Sphere<double>{{0, 0, 0}, 1}, milky(0.8, 0.4)),

@@ -133,7 +133,7 @@ TEST_CASE("Russian roulette changes no mean, in any colour") {
   }
 }
 
-TEST_CASE("triangle lights of triangle_light.tsv: all three strategies") {
+TEST_CASE("triangle lights of triangle_light.tsv: all three strategies", "[odds]") {
   int rows = 0;
   for (const Row& row : read_table("triangle_light.tsv")) {
     INFO(row.text("id"));

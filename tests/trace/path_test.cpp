@@ -131,7 +131,7 @@ TEST_CASE("what is told adds up: rays, endings, and the light of each pixel") {
     CHECK(statistics.ends(used) > 0);
 }
 
-TEST_CASE("both strategies' weights, as told, complement each other") {
+TEST_CASE("both strategies' weights, as told, complement each other", "[odds]") {
   Recording recording;
   static_cast<void>(path_picture<double>(all_scene(), 41, 31, {}, {16, 3}, &recording));
   int lights = 0, emissions = 0;

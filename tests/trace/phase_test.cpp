@@ -61,7 +61,7 @@ constexpr double rare = 92;
 
 }  // namespace
 
-TEST_CASE("directions of the phase function pass the chi-square test") {
+TEST_CASE("directions of the phase function pass the chi-square test", "[odds]") {
   const int samples = rounds(200'000);
   for (const bool flat : {false, true})
     for (const double g : {-0.9, -0.4, 0.0, 0.3, 0.75, 0.95}) {

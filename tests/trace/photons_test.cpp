@@ -34,7 +34,7 @@ double shadow_rays_alone(Scene scene, int width, int height, bool flat) {
 
 }  // namespace
 
-TEST_CASE("in a hollow ball bounced light is that of all patterns, by any law of attenuation") {
+TEST_CASE("in a hollow ball bounced light is that of all patterns, by any law of attenuation", "[odds]") {
   for (const bool gather : {false, true})
     for (const Vec3d& lamp : {Vec3d(0.0), Vec3d(0.7, -0.4, 0.3)}) {
       Scene scene = by_photons(hollow_ball(ball_radius, wall_albedo, lamp, law_of_square), 40000, 200);
@@ -73,7 +73,7 @@ TEST_CASE("photons bring what they were sent with: each bounce the albedo of it"
   }
 }
 
-TEST_CASE("a ball that glows inside is as bright everywhere as what it emits over 1 - rho") {
+TEST_CASE("a ball that glows inside is as bright everywhere as what it emits over 1 - rho", "[odds]") {
   for (const bool gather : {false, true}) {
     Scene scene = by_photons(hollow_ball(ball_radius, wall_albedo, {0, 0, 0}, law_of_square), 40000, 200);
     scene.lights.clear();
@@ -84,7 +84,7 @@ TEST_CASE("a ball that glows inside is as bright everywhere as what it emits ove
   }
 }
 
-TEST_CASE("photons and paths agree: mirrors, glass with something matt inside, an emitter, a highlight") {
+TEST_CASE("photons and paths agree: mirrors, glass with something matt inside, an emitter, a highlight", "[odds]") {
   Scene scene = hollow_ball(3, 0.5, {0, 0, 1.5}, law_of_square);
   scene.objects[0].material.diffuse = {0.6, 0.5, 0.3};
   Material glass = matt(0), mirror = matt(0.2), shiny = matt(0.3);
@@ -118,7 +118,7 @@ TEST_CASE("photons and paths agree: mirrors, glass with something matt inside, a
   }
 }
 
-TEST_CASE("the caustic in a cup is a nephroid: the sum of 1 / |J| over all rays that arrive") {
+TEST_CASE("the caustic in a cup is a nephroid: the sum of 1 / |J| over all rays that arrive", "[odds]") {
   // Parallel light slants into a cup that is a mirror inside, over the rim before it. Met at the angle t from the
   // middle, the wall sends it on at the angle t to its normal; on the way s a beam becomes 1 - 2 s / (R cos t) times as
   // wide. On the axis at x the ray of the middle arrives, with s = R - x, and behind the cusp at R / 2 a pair with cos

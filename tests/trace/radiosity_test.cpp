@@ -182,7 +182,7 @@ TEST_CASE("rays find the form factor of two disks") {
   CHECK(std::abs(met / double(edge * edge) - 0.3819660) < 1e-3);
 }
 
-TEST_CASE("inside a ball irradiance is mean(E) / (1 - mean(rho)), whatever glows and whatever reflects") {
+TEST_CASE("inside a ball irradiance is mean(E) / (1 - mean(rho)), whatever glows and whatever reflects", "[odds]") {
   // Polygons in place of a ball err as the square of their size: by so much less with more of them.
   const auto off_with = [](int around, std::vector<double>& shares) {
     const Scene scene = of({{"Ball", Sphere<double>{{0, 0, 0}, 2}, matt(0.5)}});
@@ -245,7 +245,7 @@ TEST_CASE("light is neither lost nor won: in a closed room all of it is absorbed
   }
 }
 
-TEST_CASE("a lamp's light arrives once: straight, and what bounces as often as it does") {
+TEST_CASE("a lamp's light arrives once: straight, and what bounces as often as it does", "[odds]") {
   // A ball with a lamp in its middle: pi L / R^2 straight, over 1 - rho in all.
   constexpr double radius = 2, albedo = 0.5;
   Scene ball = hollow_ball(radius, albedo, {0, 0, 0}, Attenuation{0, 0, 1});
@@ -361,7 +361,7 @@ TEST_CASE("what radiosity cannot do is refused by name, what it leaves out is sa
   CHECK_THAT(losses[1], contains("lights nothing"));
 }
 
-TEST_CASE("radiosity and paths agree in a room of matt walls, a block and a lamp with an extent") {
+TEST_CASE("radiosity and paths agree in a room of matt walls, a block and a lamp with an extent", "[odds]") {
   Scene room = of({{"Room", Box<double>{{-1, -1, -1}, {1, 1, 1}}, matt(0.5)},
                    {"Block", Box<double>{{0.1, -0.2, -1.2}, {0.6, 0.4, -0.1}}, matt(0.7)},
                    {"Lamp", Box<double>{{-0.4, -0.4, 0.9}, {0.4, 0.4, 1.1}}, matt(0, 2)}});

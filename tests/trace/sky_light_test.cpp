@@ -100,7 +100,7 @@ Scene busy_under(const Sky& sky) {
 
 }  // namespace
 
-TEST_CASE("the pdf of every sky is that of its samples: chi-square, by cells of equal solid angle") {
+TEST_CASE("the pdf of every sky is that of its samples: chi-square, by cells of equal solid angle", "[odds]") {
   for (const auto& [name, sky, below] : all_skies())
     for (const SkySampling how : {SkySampling::by_brightness, SkySampling::uniform}) {
       INFO(name << (how == SkySampling::uniform ? ", uniformly" : ""));
@@ -194,7 +194,7 @@ TEST_CASE("a constant sky lights a level floor with pi L, an overcast one with 7
     }
 }
 
-TEST_CASE("the uneven sky lights alike by every strategy") {
+TEST_CASE("the uneven sky lights alike by every strategy", "[odds]") {
   for (const auto& [name, sky, below] : all_skies()) {
     INFO(name);
     if (sky.up != Vec3d(0, 0, 1)) continue;
