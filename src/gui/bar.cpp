@@ -132,8 +132,14 @@ float bar_buttons(const Ui& ui, const Rect& row, float x, float apart) {
   const float lessons = button_width(ui, command("lessons"), small);
   // Where there is little room the modes have less beside their words.
   const float others = apart + 2 * height + ui.px(2) + ui.px(6) + lessons;
+  const float spare = 2 * ui.px(7);  // what a word can lose beside it
+  float tight = 0;
+  for (const Command* each : commands_in(Section::modes))
+    tight += button_width(ui, *each, {.look = Look::choice, .icon = Icon::none, .font = ui.fonts.strong}) - spare;
+  const float room = row.right() - x - others, language = ui.px(10) + language_width(height);
   ImGui::SetCursorScreenPos({x, y});
-  choice(ui, commands_in(Section::modes), height, ui.fonts.strong, std::max(row.right() - x - others, ui.px(120)));
+  choice(ui, commands_in(Section::modes), height, ui.fonts.strong,
+         std::max(tight <= room - language ? room - language : room, ui.px(120)));
   const ButtonLook flat{.look = Look::flat, .icon = Icon::undo, .font = nullptr, .label = false};
   ImGui::SetCursorScreenPos({ImGui::GetItemRectMax().x + apart, y});
   command_button(ui, command("undo"), {height, height}, flat);
@@ -149,11 +155,11 @@ float bar_buttons(const Ui& ui, const Rect& row, float x, float apart) {
   };
   // The language also has a menu entry.
   const float both = ui.px(10) + language_width(height) + ui.px(6) + lessons;
-  if (ImGui::GetItemRectMax().x + both <= row.right())
+  if (ImGui::GetItemRectMax().x + both <= row.right() + 0.5f)
     add(command("language"), language_width(height), command_label(command("language"), ui.state, true), ui.px(10));
-  const float room = row.right() - ImGui::GetItemRectMax().x;
-  add(command("lessons"), std::min(lessons, std::max(room, ui.px(40))), {},
-      std::min(ui.px(6), std::max(room - lessons, 0.0f)));
+  const float left = row.right() - ImGui::GetItemRectMax().x;
+  add(command("lessons"), std::min(lessons, std::max(left, ui.px(40))), {},
+      std::min(ui.px(6), std::max(left - lessons, 0.0f)));
   return ImGui::GetItemRectMax().x;
 }
 

@@ -40,7 +40,8 @@ void draw_plot(const Ui& ui, const Rect& where, const CostFindings& findings) {
   }
   if (nearest == nullptr || !ImGui::IsItemHovered()) return;
   ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-  tooltip(ui, "cost-mark-" + std::to_string(nearest->attempt), attempt_text(ui.state, findings, nearest->attempt));
+  tooltip(ui, "cost-mark-" + std::to_string(nearest->attempt), attempt_text(ui.state, findings, nearest->attempt),
+          TipOf::point);
   if (ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1))
     ui.act(action::ChooseCost{nearest->attempt, ImGui::IsMouseClicked(1) || ImGui::GetIO().KeyShift});
 }

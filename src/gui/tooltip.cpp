@@ -56,14 +56,13 @@ Rect beside(const Ui& ui, const Rect& item, ImVec2 size) {
 
 }  // namespace
 
-void tooltip(const Ui& ui, std::string_view name, const std::string& text) {
+void tooltip(const Ui& ui, std::string_view name, const std::string& text, TipOf of) {
   if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
   const bool pressed = ImGui::IsMouseDown(0) || ImGui::IsMouseDown(1) || ImGui::GetIO().MouseWheel != 0;
   if (!ui.rest.rested_on(name, ImGui::GetTime(), pressed)) return;
   const ImVec2 least = ImGui::GetItemRectMin(), most = ImGui::GetItemRectMax(), mouse = ImGui::GetIO().MousePos;
   Rect item{least.x, least.y, most.x - least.x, most.y - least.y};
-  // Of a picture or a plot, what is meant is where the pointer is.
-  if (item.height > ui.px(highest)) item = {mouse.x - ui.px(8), mouse.y - ui.px(8), ui.px(16), ui.px(24)};
+  if (of == TipOf::point) item = {mouse.x - ui.px(8), mouse.y - ui.px(8), ui.px(16), ui.px(24)};
   ui.rest.show({item, text});
 }
 

@@ -94,8 +94,11 @@ std::optional<float> slider(const Ui& ui, const char* name, ImVec2 extent, float
 /// A line of a menu.
 void menu_item(const Ui& ui, const Command& command);
 
+/// What a tooltip explains, and stands beside: a whole item, so that no picture is covered by its own, or the point of
+/// it that the pointer is at.
+enum class TipOf { item, point };
 /// Shows `text` beside the last item once the pointer has rested on it.
-void tooltip(const Ui& ui, std::string_view name, const std::string& text);
+void tooltip(const Ui& ui, std::string_view name, const std::string& text, TipOf of = TipOf::item);
 /// At the end of a frame: the tooltip that is due, where it covers the least of what can be clicked.
 void show_tooltip(const Ui& ui);
 /// Shows `text` beside the pointer, at once and in one line.

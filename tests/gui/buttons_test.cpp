@@ -4,6 +4,8 @@
 
 #include "gui/bench.h"
 #include "gui/command.h"
+#include "gui/fonts.h"
+#include "gui/layout.h"
 #include "support/catch.h"
 #include "support/languages.h"
 
@@ -204,7 +206,8 @@ TEST_CASE("AUTO is called PAUSE while it runs") {
   CHECK(command_label(command("play"), state) != at_rest);
 }
 
-TEST_CASE("lessons and the length of a step are at hand in large letters and in upright windows") {
+TEST_CASE("lessons, the language and the length of a step are at hand in large letters and in upright windows") {
+  const FontFiles files = find_fonts(font_folders(""));
   struct Size {
     float width, height, wished;
   };
@@ -217,13 +220,13 @@ TEST_CASE("lessons and the length of a step are at hand in large letters and in 
                            {360, 640, 1},
                            {414, 896, 1}}) {
     for (const Language language : all_languages()) {
-      Bench bench(at(40, Mode::trace));
+      Bench bench(at(40, Mode::trace), each.width, each.height, files);
       bench.state.appearance.language = language;
       bench.unit = bench.dpi = each.wished * shrink_to_fit(each.width, each.height, each.wished);
       bench.resize(each.width, each.height);
       const std::string grain = bench.has("grain") ? "grain" : "grain-pixel";
-      for (const std::string& item : {std::string("lessons"), grain, std::string("step"), std::string("play"),
-                                      std::string("clear"), std::string("mode-help")}) {
+      for (const std::string& item : {std::string("lessons"), std::string("language"), grain, std::string("step"),
+                                      std::string("play"), std::string("clear"), std::string("mode-help")}) {
         CAPTURE(each.width, each.wished, language.code(), item);
         REQUIRE(bench.has(item));
         const Rect where = bench.rect(item);

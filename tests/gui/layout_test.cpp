@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 
 #include "support/catch.h"
@@ -139,6 +140,26 @@ TEST_CASE("in an upright window the columns are below each other") {
   CHECK(with.lesson.width == 330);
   CHECK(with.plan.width > 400);
   CHECK(with.tabs == layout.tabs);
+}
+
+TEST_CASE("in an upright window effects and the band leave the plan its height, also in the projector's letters") {
+  for (const float unit : {1.0f, 1.25f}) {
+    raywalk::LayoutWishes wishes{768, 1024, unit, 134 * unit, 413 * unit, 310 * unit};
+    wishes.strip = 54 * unit;
+    wishes.bar_width = 769;
+    for (const float lesson : {0.0f, 330 * unit}) {
+      wishes.lesson = lesson;
+      wishes.effects = (lesson > 0 ? 106.0f : 72.0f) * unit;  // in three lines beside a lesson
+      wishes.band = 0;
+      const Layout layout = raywalk::lay_out(wishes);
+      CAPTURE(unit, lesson, layout.plan.height);
+      CHECK(layout.plan.height > 200 * unit);
+      CHECK(layout.effects.height == std::round(wishes.effects));
+      CHECK(layout.side.height > 0.27f * 1024);
+      wishes.band = 58 * unit;
+      CHECK(raywalk::lay_out(wishes).plan.height > 145 * unit);
+    }
+  }
 }
 
 TEST_CASE("on a telephone held upright lesson, code and panels stand below the walk one at a time") {

@@ -294,6 +294,25 @@ TEST_CASE("a tooltip comes late, covers no button, and goes with a click") {
   }
 }
 
+TEST_CASE("the tooltip of the picture does not cover it, whichever place it has") {
+  for (const float unit : {1.0f, 1.25f})
+    for (const bool large : {false, true}) {
+      Bench bench(at(120));
+      bench.unit = unit;
+      update(bench.state, action::SetTab{PictureRoom::tab});
+      if (large) update(bench.state, action::ExchangePanes{});
+      bench.resize(1280, 720);
+      bench.frames(2);
+      CAPTURE(unit, large);
+      bench.point_at("image");
+      bench.frames(60);
+      REQUIRE(bench.has("tooltip"));
+      const Rect tip = bench.rect("tooltip"), picture = bench.rect("image");
+      CHECK((tip.right() <= picture.x || tip.x >= picture.right() || tip.bottom() <= picture.y ||
+             tip.y >= picture.bottom()));
+    }
+}
+
 TEST_CASE("a dialog that opens in the frame of a tooltip goes without it") {
   const auto at_rest = [](Bench& bench) {
     bench.state.document.dirty = true;
