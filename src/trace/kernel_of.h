@@ -43,9 +43,9 @@ Statistics run_kernel(const World<T>& world, const RayGenerator<T>& camera, cons
 
 /// Each set that a kernel is compiled for. There is no refraction without reflection (total internal reflection), nor
 /// lobes without it, nor nesting without refraction: seven sets; each with or without textures, and with shadows,
-/// shadows and penumbras, or neither: forty-two. One more leaves out shadow rays, and one has everything and a sky,
-/// which none of the others has, nor scattering, which is for paths. Nesting is a set of its own: where nothing nests,
-/// a mere test at each hit would cost more than 0.1%.
+/// shadows and penumbras, or neither: forty-two. One more leaves out shadow rays; one has a sky, which none of those
+/// has, nor scattering, which is for paths; and one has differentials too. Nesting is a set of its own: where nothing
+/// nests, a mere test at each hit would cost more than 0.1%.
 inline constexpr auto kernel_sets = [] {
   constexpr bool no = false, yes = true;
   struct Scattering {
@@ -59,13 +59,14 @@ inline constexpr auto kernel_sets = [] {
                                                    {yes, yes, no, yes},
                                                    {yes, yes, yes, yes}}};
   constexpr std::array<std::pair<bool, bool>, 3> lights{{{no, no}, {yes, no}, {yes, yes}}};  // shadows, penumbras
-  std::array<HitEffects, 2 * scatterings.size() * lights.size() + 2> sets{};
+  std::array<HitEffects, 2 * scatterings.size() * lights.size() + 3> sets{};
   std::size_t at = 0;
   for (const Scattering& to : scatterings)
     for (const auto& [shadows, penumbra] : lights)
       for (const bool textures : {no, yes})
-        sets[at++] = {to.reflection, to.refraction, textures, penumbra, to.lobes, shadows, to.nesting, yes, no, no};
+        sets[at++] = {to.reflection, to.refraction, textures, penumbra, to.lobes, shadows, to.nesting, yes, no, no, no};
   sets[at++] = no_occlusion;  // for looking, and need not be fast
+  sets[at++] = no_filtering;
   sets[at] = all_hit_effects;
   return sets;
 }();
@@ -74,8 +75,10 @@ inline constexpr auto kernel_sets = [] {
 [[nodiscard]] constexpr std::size_t kernel_set_for(HitEffects set) {
   if (!set.occlusion) {
     set = no_occlusion;
-  } else if (set.sky || set.scattering) {
+  } else if (set.filtering) {
     set = all_hit_effects;
+  } else if (set.sky || set.scattering) {
+    set = no_filtering;
   }
   set.refraction = set.refraction || set.nesting;
   set.reflection = set.reflection || set.refraction || set.lobes;
