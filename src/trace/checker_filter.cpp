@@ -20,6 +20,28 @@ double square_wave(double u) { return u - 2 * whole_below(u / 2) < 1 ? 1 : -1; }
 /// Its integral, whose mean is 0: a triangle wave from -1/2 to 1/2.
 double integral_of_square_wave(double u) { return 0.5 - std::abs(u - 2 * whole_below(u / 2) - 1); }
 
+/// The integral of that, from 0 at each line between squares.
+double second_integral_of_square_wave(double u) {
+  const double within = u - 2 * whole_below(u / 2), beyond = within - 1;
+  return within < 1 ? within * (within - 1) / 2 : beyond * (1 - beyond) / 2;
+}
+
+/// The mean of the square wave over an interval.
+double mean_of_square_wave(double middle, double width) {
+  if (!(width > 0)) return square_wave(middle);
+  return std::clamp((integral_of_square_wave(middle + width / 2) - integral_of_square_wave(middle - width / 2)) / width,
+                    -1.0, 1.0);
+}
+/// The mean over the sum of two intervals about `middle`: their lengths may have any sign.
+double mean_of_square_wave(double middle, double one, double other) {
+  const double a = std::max(std::abs(one), std::abs(other)) / 2, b = std::min(std::abs(one), std::abs(other)) / 2;
+  // So thin that it hardly matters, or that the differences below have lost their digits.
+  constexpr double thin = 1e-5, least_product = 1e-10;
+  if (b < thin * a || a * b < least_product) return mean_of_square_wave(middle, 2 * a);
+  const auto R = [&](double at) { return second_integral_of_square_wave(middle + at); };
+  return std::clamp((R(a + b) - R(a - b) - R(b - a) + R(-a - b)) / (4 * a * b), -1.0, 1.0);
+}
+
 /// Calls `piece(from, to)` for each part of the way from a to b, both in squares, that lies in one square.
 template <class Piece>
 void walk_squares(const Vec2d& a, const Vec2d& b, Piece piece) {
@@ -83,12 +105,6 @@ double mean_along(const Vec2d& centre, const Vec2d& way) {
   return sum;
 }
 
-/// The mean of the square wave over an interval.
-double mean_of_square_wave(double middle, double width) {
-  if (!(width > 0)) return square_wave(middle);
-  return (integral_of_square_wave(middle + width / 2) - integral_of_square_wave(middle - width / 2)) / width;
-}
-
 }  // namespace
 
 template <class T>
@@ -103,16 +119,19 @@ T even_share(const Vec2<T>& uv, T size, const Footprint<T>& footprint) {
   if (!(std::abs(place.x) < far && std::abs(place.y) < far)) return even_square(uv, size) ? T(1) : T(0);
   // In two rows each way, which repeat.
   const Vec2d low = place - 0.5 * reach, high = place + 0.5 * reach;
-  if (whole_below(low.x) == whole_below(high.x) && whole_below(low.y) == whole_below(high.y))
-    return even_square(uv, size) ? T(1) : T(0);
+  const bool one_column = whole_below(low.x) == whole_below(high.x);
+  const bool one_row = whole_below(low.y) == whole_below(high.y);
+  if (one_column && one_row) return even_square(uv, size) ? T(1) : T(0);
   place -= Vec2d(2 * whole_below(place.x / 2), 2 * whole_below(place.y / 2));
+  if (one_row) return static_cast<T>(0.5 + 0.5 * square_wave(place.y) * mean_of_square_wave(place.x, p.x, q.x));
+  if (one_column) return static_cast<T>(0.5 + 0.5 * square_wave(place.x) * mean_of_square_wave(place.y, p.y, q.y));
   double exact = 0, rectangle = 0;
   const double crossed = reach.x + reach.y, blend = std::clamp((crossed - least) / (most - least), 0.0, 1.0);
   if (blend < 1) {
     const Vec2d& longer = dot(p, p) > dot(q, q) ? p : q;
     const double area = std::abs(cross(p, q));
     constexpr double thin = 1e-7;  // so thin that it is a line, or its integral has lost its digits
-    exact = area > thin * std::max(dot(longer, longer), thin)
+    exact = area > thin * std::max(dot(longer, longer), 1e-3)
                 ? std::clamp(integral_over_parallelogram(place, p, q) / area, -1.0, 1.0)
                 : mean_along(place, longer);
   }

@@ -39,6 +39,9 @@ struct HitEffects {
 inline constexpr HitEffects all_hit_effects{};
 inline constexpr HitEffects no_occlusion{.occlusion = false};
 inline constexpr HitEffects no_filtering{.filtering = false};
+/// With sharp rays and sharp shadows alone: what most scenes have that filter.
+inline constexpr HitEffects plain_filtering{
+    .penumbra = false, .lobes = false, .nesting = false, .scattering = false, .sky = false};
 
 /// Lights that a hit may have before the tracer asks between them whether it is cancelled: so few are soon done.
 inline constexpr std::size_t few_lights = 64;

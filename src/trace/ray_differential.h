@@ -9,6 +9,8 @@
 
 #include "math/sampling.h"
 #include "math/vec.h"
+#include "shape/plane.h"
+#include "shape/sphere.h"
 #include "trace/optics.h"
 
 #include <algorithm>
@@ -31,13 +33,14 @@ struct RayDifferential {
 
 /// Of a ray from the eye, D = d / |d| where d = view + x right + y up (equation 8). `length`: of d; `right`: for y, up.
 template <class T>
-[[nodiscard]] RayDerivative<T> from_eye(const Vec3<T>& D, T length, const Vec3<T>& right) {
-  return {Vec3<T>(0), (right - dot(D, right) * D) / length};
+[[nodiscard, gnu::always_inline]] inline RayDerivative<T> from_eye(const Vec3<T>& D, T length, const Vec3<T>& right) {
+  return {Vec3<T>(0), (right - dot(D, right) * D) * (1 / length)};
 }
 
 /// From P to the hit P + t D, whose geometric normal is N (equations 10 and 12).
 template <class T>
-[[nodiscard]] RayDerivative<T> transfer(const RayDerivative<T>& ray, const Vec3<T>& D, T t, const Vec3<T>& N) {
+[[nodiscard, gnu::always_inline]] inline RayDerivative<T> transfer(const RayDerivative<T>& ray, const Vec3<T>& D, T t,
+                                                                   const Vec3<T>& N) {
   const Vec3<T> without_dt = ray.dP + t * ray.dD;
   const T dt = -dot(without_dt, N) / dot(D, N);
   return {without_dt + dt * D, ray.dD};
@@ -45,8 +48,8 @@ template <class T>
 
 /// At the hit, into the direction D - 2 (D . N) N (equations 14 to 16). `dN`: by x, where the hit moves by dP.
 template <class T>
-[[nodiscard]] RayDerivative<T> reflect(const RayDerivative<T>& ray, const Vec3<T>& D, const Vec3<T>& N,
-                                       const Vec3<T>& dN) {
+[[nodiscard, gnu::always_inline]] inline RayDerivative<T> reflect(const RayDerivative<T>& ray, const Vec3<T>& D,
+                                                                  const Vec3<T>& N, const Vec3<T>& dN) {
   const T D_N = dot(D, N), dD_N = dot(ray.dD, N) + dot(D, dN);
   return {ray.dP, ray.dD - T(2) * (D_N * dN + dD_N * N)};
 }
@@ -54,8 +57,9 @@ template <class T>
 /// At the hit, into the direction eta D - mu N, where mu = eta (D . N) - D' . N (equations 17 to 19). N faces the ray.
 /// Not finite where the refracted ray runs along the surface.
 template <class T>
-[[nodiscard]] RayDerivative<T> refract(const RayDerivative<T>& ray, const Vec3<T>& D, const Vec3<T>& N,
-                                       const Vec3<T>& dN, const Refraction<T>& at) {
+[[nodiscard, gnu::always_inline]] inline RayDerivative<T> refract(const RayDerivative<T>& ray, const Vec3<T>& D,
+                                                                  const Vec3<T>& N, const Vec3<T>& dN,
+                                                                  const Refraction<T>& at) {
   const T eta = at.n1 / at.n2, D_N = -at.cos_in, refracted_N = -at.cos_out;
   const T dD_N = dot(ray.dD, N) + dot(D, dN);
   const T mu = eta * D_N - refracted_N;
@@ -64,7 +68,8 @@ template <class T>
 }
 
 template <class T>
-[[nodiscard]] RayDifferential<T> transfer(const RayDifferential<T>& ray, const Vec3<T>& D, T t, const Vec3<T>& N) {
+[[nodiscard, gnu::always_inline]] inline RayDifferential<T> transfer(const RayDifferential<T>& ray, const Vec3<T>& D,
+                                                                     T t, const Vec3<T>& N) {
   return {transfer(ray.x, D, t, N), transfer(ray.y, D, t, N)};
 }
 
@@ -91,6 +96,8 @@ struct Footprint {
 template <class T, class Primitives, class Point>
 [[nodiscard]] Footprint<T> footprint(const RayDifferential<T>& ray, const Primitives& primitives, int primitive,
                                      const Point& point, int part, T time) {
+  if (const auto* plane = primitives.template plain<Plane<T>>(primitive))  // most that reaches a horizon is one
+    return {uv_derivative(*plane, point, part, ray.x.dP), uv_derivative(*plane, point, part, ray.y.dP)};
   return {primitives.uv_derivative(primitive, point, part, time, ray.x.dP),
           primitives.uv_derivative(primitive, point, part, time, ray.y.dP)};
 }
@@ -108,6 +115,10 @@ template <class T, class Primitives, class Point>
                                                         int primitive, const Point& point, int part, T time,
                                                         const Vec3<T>& shading_normal) {
   const T side = dot(shading_normal, point.normal) < 0 ? T(-1) : T(1);
+  if (primitives.template plain<Plane<T>>(primitive) != nullptr) return {};
+  if (const auto* ball = primitives.template plain<Sphere<T>>(primitive))
+    return {side * normal_derivative(*ball, point, part, ray.x.dP),
+            side * normal_derivative(*ball, point, part, ray.y.dP)};
   return {side * primitives.normal_derivative(primitive, point, part, time, ray.x.dP),
           side * primitives.normal_derivative(primitive, point, part, time, ray.y.dP)};
 }

@@ -85,10 +85,9 @@ class Tracer {
   struct Generation {
     int number = 0;
   };
-  /// The differentials of the ray at a hit and of its normal; only in kernels that filter.
+  /// The differential of a ray, or of one that has arrived at a hit; only in kernels that filter.
   struct Neighbours {
-    RayDifferential<T> ray;
-    NormalDifferential<T> normal;
+    RayDifferential<T> differential;
   };
   template <class Member>
   struct Without {};
@@ -109,7 +108,7 @@ class Tracer {
     [[no_unique_address]] Only<draws, Branch> branch{};
     [[no_unique_address]] Only<Policy::effects.refraction, InMedium> in{};
     [[no_unique_address]] Only<Policy::faulty, Generation> generation{};
-    [[no_unique_address]] Only<Policy::effects.filtering, RayDifferential<T>> differential{};
+    [[no_unique_address]] Only<Policy::effects.filtering, Neighbours> neighbours{};
   };
   /// A ray to a light.
   struct Shadow {

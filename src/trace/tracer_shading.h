@@ -105,10 +105,8 @@ inline auto Tracer<Policy>::prepare(const TreeRay& ray, const Hit<T>& hit) -> Sh
   [[maybe_unused]] bool filtered = false;
   if constexpr (Policy::effects.filtering) {
     if (world_.filters()) {
-      auto& [arrived, normal] = at.neighbours;
-      arrived = transfer(ray.differential, ray.ray.direction, hit.t, point.normal);
-      normal =
-          normal_differential(arrived, primitives, hit.primitive, point, hit.part, ray.ray.time, at.shading_normal);
+      RayDifferential<T>& arrived = at.neighbours.differential;
+      arrived = transfer(ray.neighbours.differential, ray.ray.direction, hit.t, point.normal);
       if constexpr (Policy::effects.textures) {
         filtered = world_.filters(surface);
         if (filtered) at.tint.colour = filtered_pattern(world_, arrived, hit, point, ray.ray.time);

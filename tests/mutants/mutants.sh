@@ -222,7 +222,7 @@ mutant differentials_mirrors_are_flat differentials trace/ray_differential.h '(D
 mutant differentials_reflect_wrong_sign differentials trace/ray_differential.h 'ray.dD - T(2) * (D_N * dN' 'ray.dD - T(2) * (-D_N * dN'
 mutant differentials_refract_by_one_eta differentials trace/ray_differential.h 'eta - eta * eta * D_N / refracted_N' 'eta - eta * D_N / refracted_N'
 mutant differentials_refract_towards_the_ray differentials trace/ray_differential.h 'D_N = -at.cos_in, refracted_N = -at.cos_out' 'D_N = -at.cos_in, refracted_N = at.cos_out'
-mutant differentials_eye_without_perspective differentials trace/ray_differential.h '(right - dot(D, right) * D) / length' 'right / length'
+mutant differentials_eye_without_perspective differentials trace/ray_differential.h '(right - dot(D, right) * D) * (1 / length)' 'right * (1 / length)'
 mutant differentials_normal_on_one_side differentials trace/ray_differential.h 'dot(shading_normal, point.normal) < 0 ? T(-1) : T(1)' 'T(1)'
 mutant differentials_ball_of_radius_one differentials shape/sphere.h 'return along / sphere.radius;' 'return along;'
 mutant differentials_gradient_gets_longer differentials shape/quadric.h 'Vec3<T>((added - dot(added, normal) * normal) / size)' 'Vec3<T>(added / size)'
