@@ -176,6 +176,25 @@ class Primitives {
     return given_normal_of_triangle(id, at, time);
   }
 
+  /// How fast the outward normal turns, interpolated where that is, at a point that moves along the surface
+  /// (shape/shape.h).
+  [[nodiscard]] Vec3<T> normal_derivative(int id, const SurfacePoint<T>& at, int part, T time,
+                                          const Vec3<T>& along) const {
+    const SurfacePoint<T> point = taken_back(id, at, time);
+    if (id >= shape_count()) return triangles_.normal_derivative(id - shape_count(), point, along);
+    const ObjectTransform<T>* transform = transform_of(id);
+    return transform ? raywalk::normal_derivative(own(id), *transform, point, part, along)
+                     : raywalk::normal_derivative(own(id), point, part, along);
+  }
+  /// The same of `uv_at`.
+  [[nodiscard]] Vec2<T> uv_derivative(int id, const SurfacePoint<T>& at, int part, T time, const Vec3<T>& along) const {
+    const SurfacePoint<T> point = taken_back(id, at, time);
+    if (id >= shape_count()) return triangles_.uv_derivative(id - shape_count(), point, along);
+    const ObjectTransform<T>* transform = transform_of(id);
+    return transform ? raywalk::uv_derivative(own(id), *transform, point, part, along)
+                     : raywalk::uv_derivative(own(id), point, part, along);
+  }
+
   /// A primitive's bounds in world space, widened by a few ulps to contain every point that rounding may report.
   [[nodiscard]] Bounds<T> box(int id) const;
   /// Whether rays are transformed into object space for some primitive, which rounds their origin.

@@ -51,6 +51,9 @@ class Triangles {
   /// The shading normal: the same, on the side of the triangle's geometric normal.
   [[nodiscard]] std::optional<Vec3<T>> smooth_normal(int i, const SurfacePoint<T>& point) const;
   [[nodiscard]] Vec2<T> uv_at(int i, const SurfacePoint<T>& point) const;
+  /// How fast `smooth_normal` turns where the point moves along the triangle; 0 where it is flat.
+  [[nodiscard]] Vec3<T> normal_derivative(int i, const SurfacePoint<T>& point, const Vec3<T>& along) const;
+  [[nodiscard]] Vec2<T> uv_derivative(int i, const SurfacePoint<T>& point, const Vec3<T>& along) const;
 
   /// Whether two are the same surface: the same three corners, in any order.
   [[nodiscard]] bool equal(int a, int b) const;
@@ -143,6 +146,26 @@ Vec2<T> Triangles<T>::uv_at(int i, const SurfacePoint<T>& point) const {
   const auto uv = [&](std::size_t corner) { return uv_[static_cast<std::size_t>(c[corner])]; };
   const Weights w = weights_at(i, point.position);
   return w.a * uv(0) + w.b * uv(1) + w.c * uv(2);
+}
+
+template <class T>
+Vec3<T> Triangles<T>::normal_derivative(int i, const SurfacePoint<T>& point, const Vec3<T>& along) const {
+  const auto between = interpolated_normal(i, point.position);
+  if (!between) return Vec3<T>(0);
+  const auto normal = [&](std::size_t corner) { return normals_[static_cast<std::size_t>(corners(i)[corner])]; };
+  const Vec2<T> bc = barycentric_along((*this)[i], along);
+  const Vec3<T> turned = derivative_of_unit(*between, bc.x * (normal(1) - normal(0)) + bc.y * (normal(2) - normal(0)));
+  return dot(*between, point.normal) < 0 ? -turned : turned;
+}
+
+template <class T>
+Vec2<T> Triangles<T>::uv_derivative(int i, const SurfacePoint<T>& point, const Vec3<T>& along) const {
+  const Mesh::Corners& c = corners(i);
+  if (uv_.empty() || has_uv_[static_cast<std::size_t>(c[0])] == 0)
+    return raywalk::uv_derivative((*this)[i], point, 0, along);
+  const auto uv = [&](std::size_t corner) { return uv_[static_cast<std::size_t>(c[corner])]; };
+  const Vec2<T> bc = barycentric_along((*this)[i], along);
+  return bc.x * (uv(1) - uv(0)) + bc.y * (uv(2) - uv(0));
 }
 
 template <class T>

@@ -93,6 +93,8 @@ std::string pov_texture(const Material& material, const std::optional<FlatFrame>
     losses.insert("gloss and translucency: mirrors and glass become sharp");
   if (material.normal == ShadingNormal::fixed) losses.insert("fixed normals: surfaces are lit from both sides");
   if (material.texture) losses.insert("image textures");
+  if (material.filters_checker())
+    losses.insert("filters of checkers, which are seen by points: more samples, such as +A0.1, do what can be done");
   if (material.transmits() && material.priority != 0)
     losses.insert("priorities: where transparent bodies overlap, the one entered last counts");
   const Rgbd through =

@@ -6,9 +6,9 @@
 // and so do the attenuation of lights as far as POV-Ray has it, spots (a smooth step in the cosine), area lights of n x
 // n samples, Fresnel's weights and absorption.
 //
-// What does not: gloss and translucency, fixed normals, patterns on curved surfaces, image textures, motion, light that
-// is scattered inside; those that a scene uses are reported. Under total internal reflection POV-Ray reflects a few
-// percent more than our kr + kt.
+// What does not: gloss and translucency, fixed normals, patterns on curved surfaces, image textures, filters, motion,
+// light that is scattered inside; those that a scene uses are reported. Under total internal reflection POV-Ray
+// reflects a few percent more than our kr + kt.
 
 #include "scene/scene.h"
 

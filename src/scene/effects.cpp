@@ -129,6 +129,12 @@ EffectUse scattering(const Scene& scene, Integrator integrator) {
   return left_out(integrator, "takes light that is scattered inside as absorbed");
 }
 
+EffectUse filtering(const Scene& scene) {
+  const EffectUse checker = use_if(scene, &Material::filters_checker, "has its checker filtered", "");
+  return checker.used ? checker
+                      : use_if(scene, &Material::filters_texture, "has its image filtered", "no pattern is filtered");
+}
+
 EffectUse shadows(const Scene& scene, Integrator integrator) {
   const Light* light = first_light(scene, [](const Light&) { return true; });
   if (light == nullptr && indirect_light(scene, integrator).used) {
@@ -172,6 +178,7 @@ Effects effects_of(const Scene& scene, int samples_per_pixel) {
   effects[Effect::indirect_light] = indirect_light(scene, integrator);
   effects[Effect::sky] = sky(scene);
   effects[Effect::scattering] = scattering(scene, integrator);
+  effects[Effect::filtering] = filtering(scene);
   effects[Effect::textures] =
       use_if(scene, [](const Material& m) { return m.checker.has_value(); }, "is checkered", "");
   EffectUse& textures = effects[Effect::textures];

@@ -25,6 +25,7 @@ enum class Effect {
   textures,
   sky,
   scattering,
+  filtering,
 };
 template <>
 inline constexpr Word<Effect> words_of<Effect>[] = {{Effect::shadows, "shadows"},
@@ -39,7 +40,8 @@ inline constexpr Word<Effect> words_of<Effect>[] = {{Effect::shadows, "shadows"}
                                                     {Effect::indirect_light, "indirect_light"},
                                                     {Effect::textures, "textures"},
                                                     {Effect::sky, "sky"},
-                                                    {Effect::scattering, "scattering"}};
+                                                    {Effect::scattering, "scattering"},
+                                                    {Effect::filtering, "filtering"}};
 inline constexpr int effect_count = static_cast<int>(std::size(words_of<Effect>));
 
 struct EffectUse {

@@ -10,12 +10,32 @@
 
 namespace raywalk {
 
+/// How a checker is seen through a pixel that is larger than a square.
+enum class CheckerFilter {
+  none,    ///< by the one point that a ray meets
+  closed,  ///< by its mean over the footprint of the pixel, in closed form
+};
+template <>
+inline constexpr Word<CheckerFilter> words_of<CheckerFilter>[] = {{CheckerFilter::none, "none"},
+                                                                  {CheckerFilter::closed, "closed"}};
+
+/// The same of an image.
+enum class TextureFilter {
+  none,       ///< by the one point that a ray meets
+  trilinear,  ///< between two levels of a pyramid, as wide as the footprint is long (L. Williams 1983)
+  ewa,        ///< weighted over the ellipse of the footprint (P. Heckbert 1989)
+};
+template <>
+inline constexpr Word<TextureFilter> words_of<TextureFilter>[] = {
+    {TextureFilter::none, "none"}, {TextureFilter::trilinear, "trilinear"}, {TextureFilter::ewa, "ewa"}};
+
 /// A checkerboard of two colours in the shape's own (u, v), which are lengths along the surface in scene units. The
 /// colour of a square multiplies the material's ambient and diffuse.
 struct Checker {
   Rgbd even{1.0};
   Rgbd odd{0.0};
   double size = 1.0;  ///< edge of a square, > 0
+  CheckerFilter filter = CheckerFilter::none;
   friend bool operator==(const Checker&, const Checker&) = default;
 };
 
@@ -27,9 +47,10 @@ struct ImageTexture {
   double width = 1, height = 1;  ///< of one copy on the surface, in units of the shape's (u, v), > 0
   /// The file's content, in linear light. Null until a reader has loaded it; until then the texture is white.
   std::shared_ptr<const Image> pixels{};
+  TextureFilter filter = TextureFilter::none;
   /// The pixels are determined by the file.
   friend bool operator==(const ImageTexture& a, const ImageTexture& b) {
-    return a.file == b.file && a.width == b.width && a.height == b.height;
+    return a.file == b.file && a.width == b.width && a.height == b.height && a.filter == b.filter;
   }
 };
 
@@ -78,6 +99,8 @@ struct Material {
   [[nodiscard]] bool is_translucent() const { return translucency > 0 && transmits(); }
   [[nodiscard]] bool scatters_inside() const { return transmits() && !is_black(scattering); }
   [[nodiscard]] bool emits() const { return !is_black(emission); }
+  [[nodiscard]] bool filters_checker() const { return checker && checker->filter != CheckerFilter::none; }
+  [[nodiscard]] bool filters_texture() const { return texture && texture->filter != TextureFilter::none; }
 };
 
 }  // namespace raywalk

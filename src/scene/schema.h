@@ -323,6 +323,8 @@ void describe(Fields& f, Checker& checker) {
   f.key("even", checker.even, share, "The colour of every second square.");
   f.key("odd", checker.odd, share, "The colour of those between.");
   f.key("size", checker.size, extent, "Edge of a square.");
+  f.key("filter", checker.filter, checker_filters,
+        "Whether far squares are seen by their mean over the ray's footprint (closed), so that they do not flicker.");
 }
 
 template <class Fields>
@@ -332,6 +334,9 @@ void describe(Fields& f, ImageTexture& texture) {
              "A PNG or JPEG, looked for from the folder of the scene; it multiplies ambient and diffuse.");
   f.key("width", texture.width, extent, "How wide one copy is on the surface.");
   f.key("height", texture.height, extent, "How high one copy is on the surface.");
+  f.key("filter", texture.filter, texture_filters,
+        "Whether far copies are seen blurred, as wide as the ray's footprint is long (trilinear) or by its ellipse "
+        "(ewa).");
 }
 
 template <class Fields>

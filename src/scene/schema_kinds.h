@@ -153,6 +153,8 @@ std::string Choice<Value>::expected() {
 inline constexpr Choice<FovAxis> fov_axes;
 inline constexpr Choice<ShadowKind> shadow_kinds;
 inline constexpr Choice<ShadingNormal> shading_normals;
+inline constexpr Choice<CheckerFilter> checker_filters;
+inline constexpr Choice<TextureFilter> texture_filters;
 inline constexpr Choice<Encoding> encodings;
 inline constexpr Choice<Integrator> integrators;
 /// What each of them follows: "How light is followed: shadows only (cast); ...".

@@ -128,6 +128,19 @@ template <class T>
 }
 
 template <class T>
+[[nodiscard]] Vec3<T> normal_derivative(const Box<T>& /*box*/, const SurfacePoint<T>& /*point*/, int /*part*/,
+                                        const Vec3<T>& /*along*/) {
+  return Vec3<T>(0);
+}
+
+template <class T>
+[[nodiscard]] Vec2<T> uv_derivative(const Box<T>& /*box*/, const SurfacePoint<T>& /*point*/, int part,
+                                    const Vec3<T>& along) {
+  const int axis = part / 2;
+  return {along[axis == 0 ? 1 : 0], along[axis == 2 ? 1 : 2]};
+}
+
+template <class T>
 [[nodiscard]] Bounds<T> bounds(const Box<T>& box) {
   return {box.min, box.max};
 }

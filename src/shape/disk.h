@@ -75,6 +75,18 @@ template <class T>
 }
 
 template <class T>
+[[nodiscard]] Vec3<T> normal_derivative(const Disk<T>& /*disk*/, const SurfacePoint<T>& /*point*/, int /*part*/,
+                                        const Vec3<T>& /*along*/) {
+  return Vec3<T>(0);
+}
+
+template <class T>
+[[nodiscard]] Vec2<T> uv_derivative(const Disk<T>& /*disk*/, const SurfacePoint<T>& point, int /*part*/,
+                                    const Vec3<T>& along) {
+  return in_plane(along, point.normal);
+}
+
+template <class T>
 [[nodiscard]] Bounds<T> bounds(const Disk<T>& disk) {
   const Vec3<T> n = normalize(disk.normal);
   Vec3<T> reach;

@@ -38,12 +38,39 @@ template <class T>
   return {transform.to_world.point(own.position), normalize(transform.to_world.normal(own.normal))};
 }
 
+template <class T>
+[[nodiscard]] SurfacePoint<T> into_object_space(const ObjectTransform<T>& transform, const SurfacePoint<T>& point) {
+  const Vec3<T> own_normal = transform.to_object.normal(point.normal);
+  return {transform.to_object.point(point.position), normalize(own_normal)};
+}
+
 /// In object space lengths.
 template <class T>
 [[nodiscard]] Vec2<T> uv_at(const Shape<T>& shape, const ObjectTransform<T>& transform, const SurfacePoint<T>& point,
                             int part) {
-  const Vec3<T> own_normal = transform.to_object.normal(point.normal);
-  return uv_at(shape, SurfacePoint<T>{transform.to_object.point(point.position), normalize(own_normal)}, part);
+  return uv_at(shape, into_object_space(transform, point), part);
+}
+
+/// The derivative of a unit vector v / |v|, from that of v.
+template <class T>
+[[nodiscard]] Vec3<T> derivative_of_unit(const Vec3<T>& v, const Vec3<T>& derivative) {
+  const T size = length(v);
+  const Vec3<T> unit = v / size;
+  return (derivative - dot(derivative, unit) * unit) / size;
+}
+
+template <class T>
+[[nodiscard]] Vec3<T> normal_derivative(const Shape<T>& shape, const ObjectTransform<T>& transform,
+                                        const SurfacePoint<T>& point, int part, const Vec3<T>& along) {
+  const SurfacePoint<T> own = into_object_space(transform, point);
+  const Vec3<T> turned = normal_derivative(shape, own, part, transform.to_object.direction(along));
+  return derivative_of_unit(transform.to_world.normal(own.normal), transform.to_world.normal(turned));
+}
+
+template <class T>
+[[nodiscard]] Vec2<T> uv_derivative(const Shape<T>& shape, const ObjectTransform<T>& transform,
+                                    const SurfacePoint<T>& point, int part, const Vec3<T>& along) {
+  return uv_derivative(shape, into_object_space(transform, point), part, transform.to_object.direction(along));
 }
 
 }  // namespace raywalk

@@ -96,6 +96,18 @@ template <class T>
 }
 
 template <class T>
+[[nodiscard]] Vec3<T> normal_derivative(const Plane<T>& /*plane*/, const SurfacePoint<T>& /*point*/, int /*part*/,
+                                        const Vec3<T>& /*along*/) {
+  return Vec3<T>(0);
+}
+
+template <class T>
+[[nodiscard]] Vec2<T> uv_derivative(const Plane<T>& /*plane*/, const SurfacePoint<T>& point, int /*part*/,
+                                    const Vec3<T>& along) {
+  return in_plane(along, point.normal);
+}
+
+template <class T>
 [[nodiscard]] Bounds<T> bounds(const Plane<T>& plane) {
   Bounds<T> box{Vec3<T>(-infinity<T>), Vec3<T>(infinity<T>)};
   for (int axis = 0; axis < 3; ++axis) {

@@ -155,6 +155,18 @@ template <class T>
   return in_plane(point.position - polygon.outline.front(), point.normal);
 }
 
+template <class T>
+[[nodiscard]] Vec3<T> normal_derivative(const Polygon<T>& /*polygon*/, const SurfacePoint<T>& /*point*/, int /*part*/,
+                                        const Vec3<T>& /*along*/) {
+  return Vec3<T>(0);
+}
+
+template <class T>
+[[nodiscard]] Vec2<T> uv_derivative(const Polygon<T>& /*polygon*/, const SurfacePoint<T>& point, int /*part*/,
+                                    const Vec3<T>& along) {
+  return in_plane(along, point.normal);
+}
+
 /// Contains the corners and every possible intersection: these lie in the plane through the first corner, which the
 /// others may miss slightly. By the even-odd rule a hole that extends beyond the outline is filled there.
 template <class T>

@@ -58,6 +58,19 @@ template <class T>
 }
 
 template <class T>
+[[nodiscard]] Vec3<T> normal_derivative(const Prism<T>& /*prism*/, const SurfacePoint<T>& /*point*/, int /*part*/,
+                                        const Vec3<T>& /*along*/) {
+  return Vec3<T>(0);
+}
+
+template <class T>
+[[nodiscard]] Vec2<T> uv_derivative(const Prism<T>& prism, const SurfacePoint<T>& /*point*/, int part,
+                                    const Vec3<T>& along) {
+  if (part >= prism.sides()) return plan(along);
+  return {dot(plan(along), prism.edge(part)) / length(prism.edge(part)), along.z};
+}
+
+template <class T>
 [[nodiscard]] Bounds<T> bounds(const Prism<T>& prism) {
   Bounds<T> box;
   for (const Vec2<T>& corner : prism.corners) {

@@ -70,6 +70,19 @@ template <class T, QuadricKind Kind>
   return {quadric.radii.x * angle, point.position.z};
 }
 
+template <class T, QuadricKind Kind>
+[[nodiscard]] Vec3<T> normal_derivative(const Quadric<T, Kind>& quadric, const SurfacePoint<T>& point, int part,
+                                        const Vec3<T>& along);
+
+template <class T, QuadricKind Kind>
+[[nodiscard]] Vec2<T> uv_derivative(const Quadric<T, Kind>& quadric, const SurfacePoint<T>& point, int part,
+                                    const Vec3<T>& along) {
+  if (part != Quadric<T, Kind>::wall) return plan(along);
+  const T x = point.position.x / quadric.radii.x, y = point.position.y / quadric.radii.y;
+  const T turned = (x * along.y / quadric.radii.y - y * along.x / quadric.radii.x) / (x * x + y * y);
+  return {quadric.radii.x * turned, along.z};
+}
+
 /// The section of the wall at a height: the square of its radius in units of rx and ry; negative where there is none.
 template <class T, QuadricKind Kind>
 [[nodiscard]] double squared_section(const Quadric<T, Kind>& quadric, double z) {
@@ -244,6 +257,20 @@ SurfacePoint<T> surface_at(const Quadric<T, Kind>& quadric, const Ray<T>& ray, I
   const double size = length(gradient);
   return {position, size > 0 ? Vec3<T>(gradient / size) : Vec3<T>(0, 0, 1)};  // a cone's apex has no normal: any will
                                                                               // do
+}
+
+/// The normal is F' / |F'| where F = 0 is the wall: what F'' adds to the gradient, without what only makes it longer.
+template <class T, QuadricKind Kind>
+Vec3<T> normal_derivative(const Quadric<T, Kind>& quadric, const SurfacePoint<T>& point, int part,
+                          const Vec3<T>& along) {
+  if (part != Quadric<T, Kind>::wall) return Vec3<T>(0);
+  const detail::QuadricEquation e = detail::equation_of(quadric);
+  const Vec3d p(point.position), d(along);
+  const Vec3d gradient(2 * e.xx * p.x, 2 * e.yy * p.y, 2 * e.zz * p.z + e.linear);
+  const Vec3d added(2 * e.xx * d.x, 2 * e.yy * d.y, 2 * e.zz * d.z);
+  const double size = length(gradient);
+  const Vec3d normal = gradient / size;
+  return Vec3<T>((added - dot(added, normal) * normal) / size);
 }
 
 template <class T, QuadricKind Kind>

@@ -91,6 +91,21 @@ template <class T>
   return std::visit([&](const auto& s) { return uv_at(s, point, part); }, shape);
 }
 
+/// How fast the unit outward normal turns where a point of part `part` moves along the surface: its derivative where
+/// `along` is the point's. 0 where the surface is flat.
+template <class T>
+[[nodiscard]] Vec3<T> normal_derivative(const Shape<T>& shape, const SurfacePoint<T>& point, int part,
+                                        const Vec3<T>& along) {
+  return std::visit([&](const auto& s) { return normal_derivative(s, point, part, along); }, shape);
+}
+
+/// The same of `uv_at`. Not finite at poles and on axes, where this has no derivative.
+template <class T>
+[[nodiscard]] Vec2<T> uv_derivative(const Shape<T>& shape, const SurfacePoint<T>& point, int part,
+                                    const Vec3<T>& along) {
+  return std::visit([&](const auto& s) { return uv_derivative(s, point, part, along); }, shape);
+}
+
 template <class T>
 [[nodiscard]] Bounds<T> bounds(const Shape<T>& shape) {
   return std::visit([](const auto& s) { return bounds(s); }, shape);

@@ -54,6 +54,21 @@ template <class T>
 }
 
 template <class T>
+[[nodiscard]] Vec3<T> normal_derivative(const Sphere<T>& sphere, const SurfacePoint<T>& /*point*/, int /*part*/,
+                                        const Vec3<T>& along) {
+  return along / sphere.radius;
+}
+
+template <class T>
+[[nodiscard]] Vec2<T> uv_derivative(const Sphere<T>& /*sphere*/, const SurfacePoint<T>& point, int /*part*/,
+                                    const Vec3<T>& along) {
+  const Vec3<T>& n = point.normal;
+  const T square = n.x * n.x + n.y * n.y, level = std::sqrt(square);
+  const T outwards = (n.x * along.x + n.y * along.y) / level;
+  return {(n.x * along.y - n.y * along.x) / square, level * along.z - n.z * outwards};
+}
+
+template <class T>
 [[nodiscard]] Bounds<T> bounds(const Sphere<T>& sphere) {
   return {sphere.centre - Vec3<T>(sphere.radius), sphere.centre + Vec3<T>(sphere.radius)};
 }

@@ -56,13 +56,19 @@ template <class T>
   return {position - dot(position - triangle.a, normal) * normal, normal};
 }
 
+/// By how much the barycentric weights of b and c change along a vector.
+template <class T>
+[[nodiscard]] Vec2<T> barycentric_along(const Triangle<T>& triangle, const Vec3<T>& vector) {
+  const Vec3<T> ab = triangle.b - triangle.a, ac = triangle.c - triangle.a;
+  const Vec3<T> normal = cross(ab, ac);
+  const T area2 = dot(normal, normal);
+  return {dot(cross(vector, ac), normal) / area2, dot(cross(ab, vector), normal) / area2};
+}
+
 /// Barycentric weights of b and c; a has 1 - u - v.
 template <class T>
 [[nodiscard]] Vec2<T> barycentric(const Triangle<T>& triangle, const Vec3<T>& point) {
-  const Vec3<T> ab = triangle.b - triangle.a, ac = triangle.c - triangle.a, ap = point - triangle.a;
-  const Vec3<T> normal = cross(ab, ac);
-  const T area2 = dot(normal, normal);
-  return {dot(cross(ap, ac), normal) / area2, dot(cross(ab, ap), normal) / area2};
+  return barycentric_along(triangle, point - triangle.a);
 }
 
 /// Lengths along the edge from a to b, and perpendicular to it.
@@ -70,6 +76,19 @@ template <class T>
 [[nodiscard]] Vec2<T> uv_at(const Triangle<T>& triangle, const SurfacePoint<T>& point, int /*part*/) {
   const Vec3<T> along = normalize(triangle.b - triangle.a), offset = point.position - triangle.a;
   return {dot(offset, along), dot(offset, cross(point.normal, along))};
+}
+
+template <class T>
+[[nodiscard]] Vec3<T> normal_derivative(const Triangle<T>& /*triangle*/, const SurfacePoint<T>& /*point*/, int /*part*/,
+                                        const Vec3<T>& /*along*/) {
+  return Vec3<T>(0);
+}
+
+template <class T>
+[[nodiscard]] Vec2<T> uv_derivative(const Triangle<T>& triangle, const SurfacePoint<T>& point, int /*part*/,
+                                    const Vec3<T>& along) {
+  const Vec3<T> u = normalize(triangle.b - triangle.a);
+  return {dot(along, u), dot(along, cross(point.normal, u))};
 }
 
 template <class T>

@@ -104,6 +104,12 @@ std::optional<Scene> without(const Scene& scene, Effect effect) {
     case Effect::scattering:
       change_materials(changed, [](Material& m) { m.scattering = Rgbd(0.0); });
       return changed;
+    case Effect::filtering:
+      change_materials(changed, [](Material& m) {
+        if (m.checker) m.checker->filter = CheckerFilter::none;
+        if (m.texture) m.texture->filter = TextureFilter::none;
+      });
+      return changed;
   }
   return std::nullopt;
 }

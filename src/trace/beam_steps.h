@@ -102,7 +102,8 @@ void BeamTracer<Watcher>::meet(Part& part, const Beam& beam) {
     const Medium* medium;
   };
   const Followed followed{part.ray, part.number, 1, Rgbd(1.0), beam.medium};
-  part.at = prepare_vertex<AllEffects>(world_, nested_, followed, hit, statistics_);
+  NoDifferential<double> none;
+  part.at = prepare_vertex<AllEffects>(world_, nested_, followed, hit, statistics_, none);
   part.ambient = part.at->surface->ambient;
   texture(part.ambient, *part.at->surface, world_.accelerator.primitives(), hit.primitive,
           SurfacePoint<double>{part.at->position, part.at->outward_normal}, hit.part, part.ray.time);

@@ -31,6 +31,7 @@ auto PhotonTracer<Policy>::form_primary_ray(const Pixel& pixel) -> EyeRay {
   if constexpr (Policy::effects.nesting) {
     if (nested_.any_around_eye()) primary.medium = nested_.at_eye(primary.ray, statistics_.tests);
   }
+  differential_.begin(primary.ray.direction);
   ++statistics_.formed(RayKind::primary);
   note(Line::photon_form_primary_ray, 0, [&] {
     return RayFormed{primary.number, -1, RayKind::primary, Vec3d(primary.ray.origin), Vec3d(primary.ray.direction),
@@ -368,6 +369,7 @@ auto PhotonTracer<Policy>::form_next_ray(const EyeRay& ray, const Vertex& at, co
                     rays_formed_++,
                     ray.gathers || choice.lobe == Lobe::diffuse,
                     kind == RayKind::refract ? at.behind : at.medium};
+  differential_.leave(at.bsdf, at.refraction, choice);
   ++statistics_.formed(kind);
   note(Line::gather_form_next_ray, at.length, [&] {
     RayFormed event{next.number,          at.number, kind, Vec3d(next.ray.origin), Vec3d(choice.direction),

@@ -34,6 +34,10 @@ template <class T>
 Statistics run_watched_faulty_kernel(const World<T>& world, const RayGenerator<T>& camera, const PixelBlock& block,
                                      const PutPixel<T>& put, Observer& observer);
 
+/// Carries differentials: with the effects that most scenes have that filter, or with all.
+template <class T>
+Kernel<T> filtering_kernel(const World<T>& world);
+
 template <class T, HitEffects Set>
 Statistics run_kernel(const World<T>& world, const RayGenerator<T>& camera, const PixelBlock& block,
                       const PutPixel<T>& put) {
@@ -43,9 +47,10 @@ Statistics run_kernel(const World<T>& world, const RayGenerator<T>& camera, cons
 
 /// Each set that a kernel is compiled for. There is no refraction without reflection (total internal reflection), nor
 /// lobes without it, nor nesting without refraction: seven sets; each with or without textures, and with shadows,
-/// shadows and penumbras, or neither: forty-two. One more leaves out shadow rays, and one has everything and a sky,
-/// which none of the others has, nor scattering, which is for paths. Nesting is a set of its own: where nothing nests,
-/// a mere test at each hit would cost more than 0.1%.
+/// shadows and penumbras, or neither: forty-two. One more leaves out shadow rays; one has a sky, which none of those
+/// has, nor scattering, which is for paths. Nesting is a set of its own: where nothing nests, a mere test at each hit
+/// would cost more than 0.1%. So would one for differentials: what filters has kernels apart, beside which those here
+/// stay as the compiler makes them without.
 inline constexpr auto kernel_sets = [] {
   constexpr bool no = false, yes = true;
   struct Scattering {
@@ -64,18 +69,20 @@ inline constexpr auto kernel_sets = [] {
   for (const Scattering& to : scatterings)
     for (const auto& [shadows, penumbra] : lights)
       for (const bool textures : {no, yes})
-        sets[at++] = {to.reflection, to.refraction, textures, penumbra, to.lobes, shadows, to.nesting, yes, no, no};
+        sets[at++] = {to.reflection, to.refraction, textures, penumbra, to.lobes, shadows, to.nesting, yes, no, no, no};
   sets[at++] = no_occlusion;  // for looking, and need not be fast
-  sets[at] = all_hit_effects;
+  sets[at] = no_filtering;
   return sets;
 }();
 
-/// The smallest of these that holds a world's effects.
+/// The smallest of these that holds a world's effects; but for filtering, which has kernels of its own.
 [[nodiscard]] constexpr std::size_t kernel_set_for(HitEffects set) {
   if (!set.occlusion) {
     set = no_occlusion;
   } else if (set.sky || set.scattering) {
-    set = all_hit_effects;
+    set = no_filtering;
+  } else {
+    set.filtering = false;
   }
   set.refraction = set.refraction || set.nesting;
   set.reflection = set.reflection || set.refraction || set.lobes;
@@ -101,6 +108,7 @@ Kernel<T> fitting_kernel(const World<T>& world) {
   }(std::make_index_sequence<kernel_sets.size()>());
   HitEffects set = hit_effects(world.effects, world.lights.size(), !world.bodies.empty());
   set.occlusion = world.occludes;
+  if (set.filtering && set.occlusion) return filtering_kernel(world);
   return kernels[kernel_set_for(set)];
 }
 

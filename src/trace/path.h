@@ -16,6 +16,7 @@
 #include "trace/emitters.h"
 #include "trace/media.h"
 #include "trace/medium_walk.h"
+#include "trace/pattern_filter.h"
 #include "trace/policy.h"
 #include "trace/ray_generator.h"
 #include "trace/statistics.h"
@@ -43,7 +44,7 @@ struct PathSettings {
   friend bool operator==(const PathSettings&, const PathSettings&) = default;
 };
 
-/// Of the policy's effects (trace/policy.h), only nesting, scattering and the sky matter.
+/// Of the policy's effects (trace/policy.h), only nesting, scattering, the sky and filtering matter.
 template <class Policy>
 class PathTracer {
  public:
@@ -59,7 +60,8 @@ class PathTracer {
         camera_(camera),
         observer_(observer),
         stop_(stop),
-        nested_(world) {}
+        nested_(world),
+        differential_(world, camera) {}
 
   /// PATH TRACING. `pixels` yields Pixel; `put(pixel, shade)` receives each final shade.
   template <class Pixels, class Put>
@@ -237,6 +239,8 @@ class PathTracer {
   RandomKey key_;                 ///< of the pixel's current sample
   int rays_formed_ = 0;           ///< numbers the rays of a recording
   [[no_unique_address]] std::conditional_t<Policy::effects.nesting, NestedMedia<T>, NoNestedMedia<T>> nested_;
+  [[no_unique_address]] std::conditional_t<Policy::effects.filtering, FollowedDifferential<T>, NoDifferential<T>>
+      differential_;
 };
 
 }  // namespace raywalk

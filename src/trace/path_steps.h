@@ -56,6 +56,7 @@ auto PathTracer<Policy>::form_primary_ray(const Pixel& pixel) -> PathRay {
     if (nested_.any_around_eye()) primary.medium = nested_.at_eye(primary.ray, statistics_.tests);
   }
   if constexpr (media) primary.scattered_at = primary.ray.origin;
+  differential_.begin(primary.ray.direction);
   ++statistics_.formed(RayKind::primary);
   note(Line::path_form_primary_ray, 0, [&] {
     return RayFormed{primary.number, -1, RayKind::primary, Vec3d(primary.ray.origin), Vec3d(primary.ray.direction),
@@ -134,14 +135,17 @@ template <class Policy>
 auto PathTracer<Policy>::prepare(const PathRay& ray, const Arrival& arrival, [[maybe_unused]] const Free& free)
     -> Vertex {
   if constexpr (media) {
-    if (arrival.scattered) return scatter(ray, free);
-    Vertex at = prepare_vertex<Policy>(world_, nested_, ray, *arrival, statistics_);
+    if (arrival.scattered) {
+      differential_.arrive_inside(free.length);
+      return scatter(ray, free);
+    }
+    Vertex at = prepare_vertex<Policy>(world_, nested_, ray, *arrival, statistics_, differential_);
     at.seamless = at.surface->seamless && at.refraction.n1 == at.refraction.n2;
     at.scattered_at = ray.scattered_at;
     at.pdf = ray.pdf;
     return at;
   } else {
-    return prepare_vertex<Policy>(world_, nested_, ray, *arrival, statistics_);
+    return prepare_vertex<Policy>(world_, nested_, ray, *arrival, statistics_, differential_);
   }
 }
 
@@ -238,6 +242,7 @@ auto PathTracer<Policy>::form_next_ray(const Vertex& at, const BsdfSample& choic
                choice.pdf,
                rays_formed_++,
                kind == RayKind::refract ? at.behind : at.medium};
+  differential_.leave(at.bsdf, at.refraction, choice);
   if constexpr (media) {
     next.scattered_at = next.ray.origin;
     if (at.seamless && kind == RayKind::refract) next.scattered_at = at.scattered_at, next.pdf = at.pdf;

@@ -52,6 +52,8 @@ Statistics PhotonKernel<T>::run(const RayGenerator<T>& camera, const PhotonRange
   };
   if (world_.numerics == Numerics::naive)
     return run_with.template operator()<Policy<T, Watcher, all_hit_effects, Numerics::naive>>();
+  if constexpr (!Watcher::watches)
+    if (!world_.filters()) return run_with.template operator()<Policy<T, Watcher, no_filtering>>();
   return run_with.template operator()<Policy<T, Watcher>>();
 }
 

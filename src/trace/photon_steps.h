@@ -86,7 +86,8 @@ auto PhotonTracer<Policy>::find_closest(const PhotonRay& photon) -> Nearest {
 /// the lamp.
 template <class Policy>
 auto PhotonTracer<Policy>::arrive(const PhotonRay& photon, const Hit<T>& hit) -> Vertex {
-  Vertex at = prepare_vertex<Policy>(world_, nested_, photon, hit, statistics_);
+  NoDifferential<T> none;
+  Vertex at = prepare_vertex<Policy>(world_, nested_, photon, hit, statistics_, none);
   if (photon.lamp) at.throughput *= lights_.weight_at(*photon.lamp, hit.t);
   return at;
 }

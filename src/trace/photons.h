@@ -22,6 +22,7 @@
 #include "trace/bsdf.h"
 #include "trace/emitters.h"
 #include "trace/media.h"
+#include "trace/pattern_filter.h"
 #include "trace/photon_lights.h"
 #include "trace/photon_pass.h"
 #include "trace/policy.h"
@@ -34,7 +35,7 @@
 
 namespace raywalk {
 
-/// Of the policy's effects (trace/policy.h), only nesting and the sky matter.
+/// Of the policy's effects (trace/policy.h), only nesting, the sky and filtering matter.
 template <class Policy>
 class PhotonTracer {
  public:
@@ -55,7 +56,8 @@ class PhotonTracer {
         camera_(camera),
         observer_(observer),
         stop_(stop),
-        nested_(world) {}
+        nested_(world),
+        differential_(world, camera) {}
 
   /// PHOTON MAPPING. Photons of one pass, and then pixels, for which their maps have to be there: `pixels` yields
   /// Pixel; `put(pixel, shade)` receives each final shade. Either may be empty.
@@ -156,7 +158,7 @@ class PhotonTracer {
         // Add background and end
         return add_background(shade, *ray);
       }
-      const Vertex at = prepare_vertex<Policy>(world_, nested_, *ray, *nearest, statistics_);
+      const Vertex at = prepare_vertex<Policy>(world_, nested_, *ray, *nearest, statistics_, differential_);
       // Add emission
       add_emission(shade, *ray, at);
       for (int light = 0; light < light_count_at(*ray, at); ++light) {
@@ -258,6 +260,8 @@ class PhotonTracer {
   int rays_formed_ = 0;   ///< numbers the rays of a recording
   std::vector<Photon> caustic_photons_, other_photons_;
   [[no_unique_address]] std::conditional_t<Policy::effects.nesting, NestedMedia<T>, NoNestedMedia<T>> nested_;
+  [[no_unique_address]] std::conditional_t<Policy::effects.filtering, FollowedDifferential<T>, NoDifferential<T>>
+      differential_;  ///< of the eye's ray: photons see patterns by points
 };
 
 }  // namespace raywalk

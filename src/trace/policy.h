@@ -33,10 +33,15 @@ struct HitEffects {
   bool occlusion = true;   ///< shadow rays are traced; else every light in front of a surface reaches it
   bool scattering = true;  ///< paths scatter inside of bodies
   bool sky = true;         ///< what rays bring back that leave the scene depends on their direction
+  bool filtering = true;   ///< rays carry differentials, by which patterns are filtered
   friend bool operator==(const HitEffects&, const HitEffects&) = default;
 };
 inline constexpr HitEffects all_hit_effects{};
 inline constexpr HitEffects no_occlusion{.occlusion = false};
+inline constexpr HitEffects no_filtering{.filtering = false};
+/// With sharp rays and sharp shadows alone: what most scenes have that filter.
+inline constexpr HitEffects plain_filtering{
+    .penumbra = false, .lobes = false, .nesting = false, .scattering = false, .sky = false};
 
 /// Lights that a hit may have before the tracer asks between them whether it is cancelled: so few are soon done.
 inline constexpr std::size_t few_lights = 64;
@@ -52,7 +57,8 @@ inline constexpr std::size_t few_lights = 64;
           nesting,
           true,
           effects.used(Effect::scattering),
-          effects.used(Effect::sky)};
+          effects.used(Effect::sky),
+          effects.used(Effect::filtering)};
 }
 
 /// Everything about the tracer that is fixed when it is compiled.

@@ -11,6 +11,7 @@
 // In a flat world everything is endless along z: patches are edges, form factors crossed strings, 2 stands for pi.
 
 #include "math/stop.h"
+#include "trace/pattern_filter.h"
 #include "trace/policy.h"
 #include "trace/radiosity_pass.h"
 #include "trace/ray_generator.h"
@@ -40,7 +41,8 @@ class RadiosityTracer {
         camera_(camera),
         observer_(observer),
         stop_(stop),
-        nested_(world) {}
+        nested_(world),
+        differential_(world, camera) {}
 
   /// RADIOSITY. Light is shot if `shooting` is not null; `pixels`, which yields Pixel, may be empty; `put(pixel,
   /// shade)` receives each final shade.
@@ -146,6 +148,8 @@ class RadiosityTracer {
   int shot_together_ = 0;  ///< of these shots there is one event
   int first_together_ = 0;
   [[no_unique_address]] std::conditional_t<Policy::effects.nesting, NestedMedia<T>, NoNestedMedia<T>> nested_;
+  [[no_unique_address]] std::conditional_t<Policy::effects.filtering, FollowedDifferential<T>, NoDifferential<T>>
+      differential_;  ///< patches have the colours of points
 };
 
 }  // namespace raywalk

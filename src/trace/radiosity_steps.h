@@ -153,6 +153,7 @@ auto RadiosityTracer<Policy>::form_primary_ray(const Pixel& pixel) -> EyeRay {
   raywalk::Ray<T> ray = camera_.primary_ray(pixel, pixel_draws_, statistics_);
   if (settings_.patches.flat) ray = flattened(ray);
   const EyeRay primary{Ray{ray}, Rgb<T>(1), 1, rays_formed_++};
+  differential_.begin(primary.ray.direction);
   ++statistics_.formed(RayKind::primary);
   note(Line::radiosity_form_primary_ray, [&] {
     return RayFormed{primary.number, -1, RayKind::primary, Vec3d(primary.ray.origin), Vec3d(primary.ray.direction),
@@ -183,7 +184,7 @@ auto RadiosityTracer<Policy>::look_up_light(const EyeRay& ray, const Nearest& ne
     });
     return seen;
   }
-  const SurfaceVertex<T> at = prepare_vertex<Policy>(world_, nested_, ray, *nearest, statistics_);
+  const SurfaceVertex<T> at = prepare_vertex<Policy>(world_, nested_, ray, *nearest, statistics_, differential_);
   const Patches::Place place =
       patches_.place_of(nearest->primitive, Vec3d(at.position), Vec3d(at.bsdf.geometric_normal));
   const Rgbd irradiance = irradiance_.at(place);

@@ -5,10 +5,12 @@
 #include "math/sampling.h"
 #include "scene/effects.h"
 #include "scene/scene.h"
+#include "trace/ray_differential.h"
 #include "trace/statistics.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 #include <vector>
 
@@ -71,6 +73,10 @@ class RayGenerator {
     shutter_open_ = static_cast<T>(camera.shutter_open);
     shutter_close_ = static_cast<T>(camera.shutter_close);
     is_sampled_ = sampling.per_pixel > 1;
+    spacing_ = 1 / std::sqrt(static_cast<T>(sampling.per_pixel));
+    const T step = 2 * spacing_ / static_cast<T>(sampling.corners ? whole.width - 1 : whole.width);
+    sample_right_ = step * right_;
+    sample_up_ = step * up_;
   }
 
   /// The random numbers for several samples of a pixel, drawn ahead so that no sample waits for them; kept by the
@@ -104,6 +110,15 @@ class RayGenerator {
     return through({static_cast<T>(2 * column - size_.width), static_cast<T>(size_.height - 1 - 2 * row)});
   }
   [[nodiscard]] const Vec3<T>& eye() const { return eye_; }
+
+  /// Of a ray with this unit direction: through the lens as through a pinhole, for both lie at one distance from the
+  /// plane in focus, to which d of the paper leads. A pixel is one of the whole image, also in a cell of its strip.
+  [[nodiscard]] RayDifferential<T> differential(const Vec3<T>& direction) const {
+    const T length = 1 / dot(direction, forward_);
+    return {from_eye(direction, length, sample_right_), from_eye(direction, length, sample_up_)};
+  }
+  /// The distance of a pixel's samples from each other, in pixels: 1 / sqrt(n).
+  [[nodiscard]] T spacing() const { return spacing_; }
 
   [[nodiscard]] ImageSize size() const { return size_; }
   [[nodiscard]] const Sampling& sampling() const { return sampling_; }
@@ -151,6 +166,8 @@ class RayGenerator {
   T lens_radius_ = 0, focus_;           ///< radius 0: nothing is drawn for the lens
   Vec3<T> lens_right_, lens_up_;        ///< unit length
   T shutter_open_, shutter_close_;
+  T spacing_;
+  Vec3<T> sample_right_, sample_up_;  ///< from sample to sample, at distance 1
 };
 
 extern template class RayGenerator<float>;

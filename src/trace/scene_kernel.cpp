@@ -13,13 +13,14 @@ Statistics run_procedure(const World<T>& world, const RayGenerator<T>& camera, c
     procedure.main_algorithm(block, put);
     return procedure.statistics();
   };
-  constexpr HitEffects clear{.scattering = false}, no_sky{.scattering = false, .sky = false},
-      neither{.nesting = false, .scattering = false, .sky = false};
+  constexpr HitEffects clear{.scattering = false, .filtering = false},
+      no_sky{.scattering = false, .sky = false, .filtering = false},
+      neither{.nesting = false, .scattering = false, .sky = false, .filtering = false};
   if (world.numerics == Numerics::naive)
     return run_with.template operator()<Policy<T, Watcher, all_hit_effects, Numerics::naive>>();
   if constexpr (!Watcher::watches) {
-    const bool scatters = world.effects.used(Effect::scattering);
-    if (scatters) return run_with.template operator()<Policy<T, Watcher>>();
+    if (world.filters()) return run_with.template operator()<Policy<T, Watcher>>();
+    if (world.effects.used(Effect::scattering)) return run_with.template operator()<Policy<T, Watcher, no_filtering>>();
     if (!world.sky && world.bodies.empty()) return run_with.template operator()<Policy<T, Watcher, neither>>();
     if (!world.sky) return run_with.template operator()<Policy<T, Watcher, no_sky>>();
     return run_with.template operator()<Policy<T, Watcher, clear>>();

@@ -66,9 +66,11 @@ template <class T>
 }
 
 /// `AnyRay`: a ray with its number, length, throughput and medium. `nested`: the media where bodies nest.
-template <class Policy, class T, class AnyRay, class Nested>
+/// `differential`: the ray's, which is transferred to the hit (trace/pattern_filter.h).
+template <class Policy, class T, class AnyRay, class Nested, class Differential>
 SurfaceVertex<T> prepare_vertex(const World<T>& world, [[maybe_unused]] Nested& nested, const AnyRay& ray,
-                                const Hit<T>& hit, [[maybe_unused]] Statistics& statistics) {
+                                const Hit<T>& hit, [[maybe_unused]] Statistics& statistics,
+                                Differential& differential) {
   using Surface = typename World<T>::Surface;
   using Medium = typename World<T>::Medium;
   const Primitives<T>& primitives = world.accelerator.primitives();
@@ -103,7 +105,11 @@ SurfaceVertex<T> prepare_vertex(const World<T>& world, [[maybe_unused]] Nested& 
     bsdf.shading_normal =
         consistent_shading_normal(ray.ray.direction, bsdf.geometric_normal, at.entering ? *smooth : -*smooth);
   bsdf.diffuse = surface.diffuse;
-  texture(bsdf.diffuse, surface, primitives, hit.primitive, point, hit.part, at.time);
+  differential.arrive(ray.ray.direction, hit, point, at.time, bsdf.shading_normal);
+  if (differential.filters(surface))
+    bsdf.diffuse *= differential.pattern(hit, point, at.time);
+  else
+    texture(bsdf.diffuse, surface, primitives, hit.primitive, point, hit.part, at.time);
   at.specular = surface.specular;
   if (!is_black(surface.specular)) {
     bsdf.shininess = surface.shininess;

@@ -9,6 +9,7 @@
 #include "math/stop.h"
 #include "trace/media.h"
 #include "trace/optics.h"
+#include "trace/pattern_filter.h"
 #include "trace/policy.h"
 #include "trace/ray_generator.h"
 #include "trace/statistics.h"
@@ -84,6 +85,10 @@ class Tracer {
   struct Generation {
     int number = 0;
   };
+  /// The differential of a ray, or of one that has arrived at a hit; only in kernels that filter.
+  struct Neighbours {
+    RayDifferential<T> differential;
+  };
   template <class Member>
   struct Without {};
   template <bool Has, class Member>
@@ -103,6 +108,7 @@ class Tracer {
     [[no_unique_address]] Only<draws, Branch> branch{};
     [[no_unique_address]] Only<Policy::effects.refraction, InMedium> in{};
     [[no_unique_address]] Only<Policy::faulty, Generation> generation{};
+    [[no_unique_address]] Only<Policy::effects.filtering, Neighbours> neighbours{};
   };
   /// A ray to a light.
   struct Shadow {
@@ -196,6 +202,8 @@ class Tracer {
     return background_along(ray);
   }
   Rgb<T> find_intersection(int depth, const Shadow& shadow, const Light& light);
+  [[nodiscard]] RayDifferential<T> differential_after(const ShadingPoint& at, const TreeRay& ray, RayKind kind,
+                                                      const Vec3<T>& direction) const;
   [[nodiscard]] static const Medium* medium_on_side(const ShadingPoint& at, const TreeRay& ray, bool refracted);
   void set_shadow_hints(const ShadingPoint& at, const Light& light);
   [[nodiscard]] static int samples_of(const Light& light);

@@ -57,6 +57,7 @@ struct Tracer<Policy>::ShadingPoint {
   [[no_unique_address]] Only<Policy::effects.nesting, InMedium> behind{};  ///< of a transmitting surface
   std::optional<Rgb<T>> transmittance;  ///< of the absorbing object that the ray passed through
   [[no_unique_address]] Only<Policy::effects.textures, Tint> tint{};
+  [[no_unique_address]] Only<Policy::effects.filtering, Neighbours> neighbours{};
   [[no_unique_address]] Only<Policy::effects.penumbra, RandomPairs> light_pairs{};  ///< sample points on lights, where
                                                                                     ///< drawn
 
@@ -101,13 +102,24 @@ inline auto Tracer<Policy>::prepare(const TreeRay& ray, const Hit<T>& hit) -> Sh
     at.smoothed = true;
   }
   if constexpr (Policy::effects.penumbra) at.light_pairs = RandomPairs(light_key(ray));
+  [[maybe_unused]] bool filtered = false;
+  if constexpr (Policy::effects.filtering) {
+    if (world_.filters()) {
+      RayDifferential<T>& arrived = at.neighbours.differential;
+      arrived = transfer(ray.neighbours.differential, ray.ray.direction, hit.t, point.normal);
+      if constexpr (Policy::effects.textures) {
+        filtered = world_.filters(surface);
+        if (filtered) at.tint.colour = filtered_pattern(world_, arrived, hit, point, ray.ray.time);
+      }
+    }
+  }
   if constexpr (Policy::effects.textures) {
-    if (surface.checker) {
+    if (surface.checker && !filtered) {
       const bool even =
           even_square(primitives.uv_at(hit.primitive, point, hit.part, ray.ray.time), surface.checker->size);
       at.tint.colour = even ? surface.checker->even : surface.checker->odd;
     }
-    if (surface.texture)
+    if (surface.texture && !filtered)
       at.tint.colour *= surface.texture->at(primitives.uv_at(hit.primitive, point, hit.part, ray.ray.time));
   }
   if constexpr (Policy::effects.refraction) {

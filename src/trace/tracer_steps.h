@@ -73,6 +73,9 @@ template <class Policy>
 inline auto Tracer<Policy>::form_primary_ray(const Pixel& pixel) -> TreeRay {
   TreeRay primary{Ray{camera_.primary_ray(pixel, pixel_draws_, statistics_)}, RayKind::primary, Rgb<T>(1),
                   rays_formed_++};
+  if constexpr (Policy::effects.filtering) {
+    if (world_.filters()) primary.neighbours.differential = camera_.differential(primary.ray.direction);
+  }
   if constexpr (Policy::effects.nesting) {
     if (nested_.any_around_eye()) primary.in.medium = nested_.at_eye(primary.ray, statistics_.tests);
   }
@@ -310,6 +313,9 @@ inline auto Tracer<Policy>::form_secondary_ray(Line line, int depth, const Shadi
   if constexpr (draws) formed.branch.path = child_path(parent.branch.path, static_cast<std::uint32_t>(kind));
   if constexpr (Policy::faulty) formed.generation.number = parent.generation.number + 1;
   if constexpr (Policy::effects.refraction) formed.in.medium = medium_on_side(at, parent, kind == RayKind::refract);
+  if constexpr (Policy::effects.filtering) {
+    if (world_.filters()) formed.neighbours.differential = differential_after(at, parent, kind, direction);
+  }
   ++statistics_.formed(kind);
   note(line, depth, [&] {
     RayFormed event{formed.number, parent.number, kind, Vec3d(formed.ray.origin), Vec3d(direction), Rgbd(throughput)};
@@ -317,6 +323,24 @@ inline auto Tracer<Policy>::form_secondary_ray(Line line, int depth, const Shadi
     return event;
   });
   return formed;
+}
+
+/// Of a ray spawned at the hit, into a lobe's axis or, where the lobe is rough, about it.
+template <class Policy>
+auto Tracer<Policy>::differential_after(const ShadingPoint& at, const TreeRay& ray, RayKind kind,
+                                        const Vec3<T>& direction) const -> RayDifferential<T> {
+  const RayDifferential<T>& arrived = at.neighbours.differential;
+  const Vec3<T>&D = ray.ray.direction, &N = at.shading_normal;
+  const SurfacePoint<T> point{at.position, at.entering ? at.geometric_normal() : -at.geometric_normal()};
+  const NormalDifferential<T> normal = normal_differential(
+      arrived, world_.accelerator.primitives(), at.departure.primitive, point, at.departure.part, ray.ray.time, N);
+  const bool reflects = kind == RayKind::reflect;
+  const RayDifferential<T> sharp =
+      reflects ? RayDifferential<T>{reflect(arrived.x, D, N, normal.x), reflect(arrived.y, D, N, normal.y)}
+               : RayDifferential<T>{refract(arrived.x, D, N, normal.x, at.refraction),
+                                    refract(arrived.y, D, N, normal.y, at.refraction)};
+  const T rough = reflects ? at.surface->gloss : at.surface->translucency;
+  return rough > 0 ? scattered(sharp, direction, uniform_cone_pdf(rough), camera_.spacing()) : sharp;
 }
 
 template <class Policy>

@@ -186,8 +186,22 @@ class Flattener {
   /// Instances of a group share the surfaces of its objects.
   int surface_index(const Material* material) {
     const auto [entry, is_new] = surface_of_.emplace(material, static_cast<int>(world_.surfaces.size()));
-    if (is_new) world_.surfaces.push_back(surface_of<T>(*material, integrator_, switches_, world_.scatterings));
+    if (is_new) {
+      world_.surfaces.push_back(surface_of<T>(*material, integrator_, switches_, world_.scatterings));
+      if (world_.effects.used(Effect::filtering)) world_.pattern_filters.push_back(filter_of(*material));
+    }
     return entry->second;
+  }
+  PatternFilter filter_of(const Material& material) {
+    PatternFilter filter;
+    if (material.checker) filter.checker = material.checker->filter;
+    if (!material.filters_texture() || !material.texture->pixels) return filter;
+    filter.texture = material.texture->filter;
+    const std::shared_ptr<const Image>& pixels = material.texture->pixels;
+    std::shared_ptr<const TexturePyramid>& pyramid = pyramids_[pixels.get()];
+    if (!pyramid) pyramid = std::make_shared<const TexturePyramid>(pixels);
+    filter.pyramid = pyramid;
+    return filter;
   }
   void note(std::size_t count, int surface) {
     world_.objects.insert(world_.objects.end(), count, top_);
@@ -202,6 +216,7 @@ class Flattener {
   Primitives<T> primitives_;
   std::unordered_map<const Material*, int> surface_of_;
   std::unordered_map<const Object*, int> name_of_;
+  std::unordered_map<const Image*, std::shared_ptr<const TexturePyramid>> pyramids_;  ///< one of each image
   int nesting_ = 0;  ///< depth of instances around the current object
   bool meshes_ = false;
   int top_ = 0;

@@ -7,6 +7,7 @@
 #include "trace/fault.h"
 #include "trace/sky_light.h"
 #include "trace/texture.h"
+#include "trace/texture_pyramid.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -29,6 +30,14 @@ struct PreparedKinds<T, std::variant<Kinds...>> {
 /// A light of any kind, prepared for tracing.
 template <class T>
 using PreparedLight = typename detail::PreparedKinds<T, AnyLight>::type;
+
+/// How the patterns of a surface are filtered.
+struct PatternFilter {
+  CheckerFilter checker = CheckerFilter::none;
+  TextureFilter texture = TextureFilter::none;
+  std::shared_ptr<const TexturePyramid> pyramid{};  ///< null: the texture is not filtered
+  [[nodiscard]] bool any() const { return checker != CheckerFilter::none || texture != TextureFilter::none; }
+};
 
 /// A scene prepared for tracing in scalar type T: every number rounded once, primitives in their accelerator. The
 /// nested types are those of the scene in T. An object becomes primitives: a shape, the triangles of a mesh or the
@@ -166,6 +175,8 @@ struct World {
   };
   std::vector<Leaf> leaves;
   std::vector<std::string> leaf_names;
+  /// By surface; empty where the scene filters nothing. Beside the surfaces, whose size each hit pays for.
+  std::vector<PatternFilter> pattern_filters;
   Accelerator<T> accelerator;  ///< constructed last: building it fills the lists above
   std::optional<Fault> fault;
   Numerics numerics;
@@ -179,6 +190,13 @@ struct World {
   [[nodiscard]] const Surface& surface(int primitive) const {
     const auto id = static_cast<std::size_t>(primitive);
     return surfaces[surface_indices.empty() ? id : static_cast<std::size_t>(surface_indices[id])];
+  }
+  /// Whether rays need differentials.
+  [[nodiscard]] bool filters() const { return !pattern_filters.empty(); }
+  [[nodiscard]] bool filters(const Surface& its) const { return filters() && pattern_filter(its).any(); }
+  /// Of one of the surfaces.
+  [[nodiscard]] const PatternFilter& pattern_filter(const Surface& its) const {
+    return pattern_filters[static_cast<std::size_t>(&its - surfaces.data())];
   }
   /// What a primitive is within its object, for display; used by observers only.
   struct Piece {

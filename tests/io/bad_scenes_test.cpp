@@ -187,6 +187,8 @@ std::vector<BadScene> bad_scenes() {
       {"dielectric as a number", with_material("dielectric = 1"), 10, 27, "found 1 (expected true or false)", ""},
       {"unknown shadow", with_material("shadow = \"none\""), 10, 23, "expected \"opaque\" or \"filtered\"", ""},
       {"checker of size 0", with_material("checker = { size = 0 }"), 10, 33, "size of checker of material", ""},
+      {"an image's filter of a checker", with_material("checker = { filter = \"ewa\" }"), 10, 35,
+       "expected \"none\" or \"closed\"", ""},
       {"checker as a flag", with_material("checker = true"), 10, 24, "found true (expected a table)", ""},
       {"title as a number", "title = 3\n" + camera, 1, 9, "title: found 3 (expected text in quotes)", ""},
       {"endless title", "title = \"" + repeated("t", 10'001) + "\"\n" + camera, 1, 9, "at most 10000 bytes", ""},

@@ -196,7 +196,10 @@ Material random_material(Random& random) {
   if (random.chance(0.2)) material.translucency = 90 * random.unit();
   if (random.chance(0.2)) maybe(material.absorption);
   if (random.chance(0.2)) material.texture = ImageTexture{random_text(random), random.positive(), random.positive()};
+  if (material.texture && random.chance(0.5))
+    material.texture->filter = random.chance(0.5) ? TextureFilter::trilinear : TextureFilter::ewa;
   if (random.chance(0.2)) material.checker = Checker{random_colour(random), random_colour(random), random.positive()};
+  if (material.checker && random.chance(0.5)) material.checker->filter = CheckerFilter::closed;
   if (random.chance(0.2)) material.priority = 6 * random.unit() - 3;
   return material;
 }

@@ -47,6 +47,8 @@ verdict() {
     libraries=("${catch2[@]}")
   [[ $2 == beams ]] && program=("-I$root/tests" -DRAYWALK_GMP "$root/tests/trace/beam_cut_test.cpp" "$4/src/trace/unfolded_plan.cpp") \
     libraries=("${catch2[@]}" -lgmpxx -lgmp)
+  [[ $2 == differentials ]] && program=("-I$root/tests" "$root/tests/"{trace/ray_differential,trace/checker_filter,shape/derivative}_test.cpp "$4/src/trace/checker_filter.cpp") \
+    libraries=("${catch2[@]}")
   # shellcheck disable=SC2086
   if ! "$cxx" -std=c++20 -O1 -ffp-contract=off $3 -I"$4/src" "${program[@]}" \
     "$4"/src/{shape/polygon,accel/primitives,math/motion}.cpp "$work"/elementary_*.o -o "$work/$1.bin" "${libraries[@]}" >"$log" 2>&1; then

@@ -14,7 +14,7 @@ constexpr Effect all_effects[] = {Effect::shadows,        Effect::reflection,   
                                   Effect::gloss,          Effect::translucency, Effect::penumbra,
                                   Effect::depth_of_field, Effect::motion_blur,  Effect::antialiasing,
                                   Effect::indirect_light, Effect::textures,     Effect::sky,
-                                  Effect::scattering};
+                                  Effect::scattering,     Effect::filtering};
 
 Scene scene_of(const Material& material) {
   Scene scene;
@@ -101,6 +101,18 @@ TEST_CASE("textures and samples") {
   CHECK(effects_of(scene_of(material), 16)[Effect::antialiasing].why == "16 samples are taken in each pixel");
   CHECK(used(effects_of(scene_of(material), 16)) ==
         std::set<Effect>{Effect::shadows, Effect::textures, Effect::antialiasing});
+}
+
+TEST_CASE("filtering is called for by a checker or an image with a filter") {
+  Material material;
+  CHECK(effects_of(scene_of(material))[Effect::filtering].why == "none: no pattern is filtered");
+  material.texture = ImageTexture{"wood.png", 1, 1, {}, TextureFilter::ewa};
+  CHECK(effects_of(scene_of(material))[Effect::filtering].why == "Ball has its image filtered");
+  material.texture->filter = TextureFilter::none;
+  material.checker = Checker{};
+  CHECK_FALSE(effects_of(scene_of(material)).used(Effect::filtering));
+  material.checker->filter = CheckerFilter::closed;
+  CHECK(effects_of(scene_of(material))[Effect::filtering].why == "Ball has its checker filtered");
 }
 
 TEST_CASE("indirect light is called for by paths where a surface sends light on") {

@@ -106,6 +106,10 @@ std::vector<Switch> switches() {
        {textures},
        [](Scene& s) { s.objects[2].material.checker = Checker{Rgbd(0.9), Rgbd(0.3), 0.2}; },
        dull},
+      {filtering,
+       {filtering, textures},
+       [](Scene& s) { s.objects[2].material.checker = Checker{Rgbd(0.9), Rgbd(0.3), 0.2, CheckerFilter::closed}; },
+       dull},
       {sky, {sky}, [](Scene& s) { s.sky = Sky{GradientSky{}}; }, dull},
   };
 }

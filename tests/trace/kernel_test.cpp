@@ -20,6 +20,7 @@ Scene scene_for(const HitEffects& set) {
     if (!set.reflection) material.reflection = Rgbd(0.0);
     if (!set.refraction) material.transmission = Rgbd(0.0);
     if (!set.textures) material.checker = std::nullopt;
+    if (set.filtering && material.checker) material.checker->filter = CheckerFilter::closed;
     if (set.lobes) material.gloss = 4, material.translucency = 3;
   }
   if (set.nesting) {
@@ -38,16 +39,23 @@ Scene scene_for(const HitEffects& set) {
 }
 
 constexpr HitEffects with(bool reflection, bool refraction, bool textures, bool penumbra, bool lobes, bool nesting,
-                          bool sky = false) {
-  return {reflection, refraction, textures, penumbra, lobes, true, nesting, true, false, sky};
+                          bool sky = false, bool filtering = false) {
+  return {reflection, refraction, textures, penumbra, lobes, true, nesting, true, false, sky, filtering};
 }
-constexpr HitEffects sets[] = {
-    with(false, false, false, false, false, false), with(false, false, true, true, false, false),
-    with(true, false, false, true, true, false),    with(true, false, true, false, false, false),
-    with(true, true, false, false, true, false),    with(true, true, false, true, false, false),
-    with(true, true, true, false, false, false),    with(true, true, false, false, false, true),
-    with(true, true, true, true, true, true),       with(false, false, false, false, false, false, true),
-    with(true, true, true, true, true, true, true)};
+constexpr HitEffects sets[] = {with(false, false, false, false, false, false),
+                               with(false, false, true, true, false, false),
+                               with(true, false, false, true, true, false),
+                               with(true, false, true, false, false, false),
+                               with(true, true, false, false, true, false),
+                               with(true, true, false, true, false, false),
+                               with(true, true, true, false, false, false),
+                               with(true, true, false, false, false, true),
+                               with(true, true, true, true, true, true),
+                               with(false, false, false, false, false, false, true),
+                               with(true, true, true, true, true, true, true),
+                               with(false, false, true, false, false, false, false, true),
+                               with(true, true, true, false, false, true, false, true),
+                               with(true, true, true, true, true, true, true, true)};
 
 struct Counter final : Observer {
   std::uint64_t events = 0;
@@ -114,6 +122,7 @@ TEST_CASE("the kernels are different ones") {
                         })));
   CHECK_FALSE(
       same_bits(full, by([](const auto&... a) { return detail::run_kernel<double, HitEffects{.sky = false}>(a...); })));
+  CHECK_FALSE(same_bits(full, by([](const auto&... a) { return detail::run_kernel<double, no_filtering>(a...); })));
 }
 
 TEST_CASE("effects that are not called for fire no ray and draw no number") {

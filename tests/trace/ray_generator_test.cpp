@@ -161,3 +161,44 @@ TEST_CASE("samples drawn ahead are those drawn one by one") {
     }
   CHECK(together.draws == apart.draws);
 }
+
+TEST_CASE("a ray's differential is the difference to its neighbours, of the image's pixels and of n samples") {
+  Scene scene;
+  scene.camera.eye = {1, 2, 3};
+  scene.camera.look_at = {4, 3, 2.5};
+  scene.camera.screen = {1, 1.4, 21};
+  for (const double aperture : {0.0, 0.3}) {
+    scene.camera.aperture = aperture;
+    scene.render.integrator = Integrator::distributed;
+    constexpr ImageSize fine{63000, 45}, coarse{63, 45};
+    for (const int samples : {1, 4}) {
+      const RayGenerator<double> camera(scene, coarse, coarse, {samples, 3});
+      // A strip of 21 cells has the footprints of the image's pixels.
+      const RayGenerator<double> strip(scene, {21, 1}, coarse, {samples, 3});
+      const Vec3d here = direction(camera, 40, 30, samples - 1);
+      const auto found = camera.differential(here);
+      CHECK(camera.spacing() == 1 / std::sqrt(samples));
+      CHECK(found.x.dP == Vec3d(0.0));
+      CHECK(strip.differential(here).x.dD == found.x.dD);
+      CHECK(std::abs(dot(found.x.dD, here)) < 1e-15);
+      if (aperture > 0 || samples > 1) continue;
+      const RayGenerator<double> between(scene, fine, fine);
+      // The pixels of the fine picture are a thousandth as wide; those around the middle of pixel 40.
+      const Vec3d x = direction(between, 40501, 30) - direction(between, 40499, 30);
+      const Vec3d y = direction(between, 40500, 29) - direction(between, 40500, 31);
+      const auto in_fine = between.differential(direction(between, 40500, 30));
+      CHECK(length(in_fine.x.dD - x / 2.0) < 1e-6 * length(x));
+      CHECK(length(in_fine.y.dD - y / 2.0) < 1e-6 * length(y));
+    }
+  }
+  // Through the lens: the point in focus moves by a pixel at that distance, wherever the ray begins.
+  scene.camera.aperture = 0.3;
+  const RayGenerator<double> lens(scene, {63, 45}, {63, 45}, {2, 3});
+  Statistics draws;
+  const Ray<double> ray = lens.primary_ray({20, 10, 1}, draws);
+  const Vec3d forward = normalize(scene.camera.look_at - scene.camera.eye);
+  const double focus = scene.camera.focus_distance(), t = focus / dot(ray.direction, forward);
+  const auto there = transfer(lens.differential(ray.direction), ray.direction, t, forward);
+  CHECK(length(there.x.dP) == Approx(focus * 1.4 / 63 / std::sqrt(2)));
+  CHECK(length(there.y.dP) == Approx(focus * 1.4 / 63 / std::sqrt(2)));
+}

@@ -1,0 +1,77 @@
+// The mean of a checker over a footprint, against many points and where it can be said.
+
+#include "trace/checker_filter.h"
+#include "support/catch.h"
+#include "trace/texture.h"
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+using namespace raywalk;
+
+namespace {
+
+double by_points(const Vec2d& place, const Footprint<double>& footprint, int edge) {
+  int even = 0;
+  for (int i = 0; i < edge; ++i)
+    for (int k = 0; k < edge; ++k) {
+      const Vec2d at = place + ((i + 0.5) / edge - 0.5) * footprint.x + ((k + 0.5) / edge - 0.5) * footprint.y;
+      even += even_square(at, 1.0);
+    }
+  return static_cast<double>(even) / (edge * edge);
+}
+
+}  // namespace
+
+TEST_CASE("the share of even squares is that of many points") {
+  std::mt19937 bits(3);
+  const auto number = [&] { return static_cast<double>(bits()) / 0x1p31 - 1; };
+  for (int i = 0; i < 400; ++i) {
+    const double size = std::pow(2, 3 * number());
+    const Vec2d place(10 * number(), 10 * number());
+    const Footprint<double> footprint{size * Vec2d(number(), number()), size * Vec2d(number(), number())};
+    CAPTURE(i, place.x, place.y, footprint.x.x, footprint.x.y, footprint.y.x, footprint.y.y);
+    CHECK(even_share(place, 1.0, footprint) == Approx(by_points(place, footprint, 500)).margin(0.006));
+    // Scaled with the squares.
+    CHECK(even_share(3.0 * place, 3.0, Footprint<double>{3.0 * footprint.x, 3.0 * footprint.y}) ==
+          Approx(even_share(place, 1.0, footprint)).margin(1e-9));
+  }
+}
+
+TEST_CASE("the share of even squares is exact where it can be said") {
+  const auto share = [](Vec2d place, Vec2d x, Vec2d y) { return even_share(place, 1.0, Footprint<double>{x, y}); };
+  // Within one square, be it tiny: nothing is rounded.
+  CHECK(share({0.5, 0.5}, {0.9, 0}, {0, 0.9}) == 1);
+  CHECK(share({1.5, 0.5}, {0.9, 0}, {0, 0.9}) == 0);
+  CHECK(share({-0.5, 0.5}, {0, 0}, {0, 0}) == 0);
+  CHECK(share({-0.5, -0.5}, {0, 0}, {0, 0}) == 1);
+  // Half of an even square and half of an odd one; a quarter of four; three quarters.
+  CHECK(share({1, 0.5}, {0.5, 0}, {0, 0.5}) == Approx(0.5).margin(1e-15));
+  CHECK(share({1, 1}, {1, 0}, {0, 1}) == Approx(0.5).margin(1e-15));
+  CHECK(share({0.875, 0.5}, {0.5, 0}, {0, 0.5}) == Approx(0.75).margin(1e-15));
+  // Whole periods, whichever way the sides turn.
+  for (const double sign : {1.0, -1.0}) CHECK(share({0.3, 0.7}, {4, 0}, {0, sign * 6}) == Approx(0.5).margin(1e-14));
+  // A thin one along a diagonal, which stays on even squares; and a line of no width.
+  CHECK(share({0.5, 0.5}, {12, 12}, {0.0001, -0.0001}) > 0.999);
+  CHECK(share({0.5, 0.5}, {12, 12}, {0, 0}) == Approx(1).margin(1e-12));
+  CHECK(share({0.5, 0.5}, {2, 0}, {0, 0}) == Approx(0.5).margin(1e-12));
+  // Beyond counting, and where nothing can be said.
+  CHECK(share({0.5, 0.5}, {1e7, 3}, {2, 1e8}) == 0.5);
+  CHECK(share({0.5, 0.5}, {std::nan(""), 0}, {0, 1}) == 0.5);
+  CHECK(share({0.5, 0.5}, {std::numeric_limits<double>::infinity(), 0}, {0, 1}) == 0.5);
+  CHECK(share({1e17, 0.5}, {0.1, 0}, {0, 0.1}) == 1);
+}
+
+TEST_CASE("the share of even squares has no jumps") {
+  // Growing from a pixel close by to one at the horizon, along a way of small steps.
+  double last = -1;
+  for (int i = 0; i <= 200000; ++i) {
+    const double size = 0.1 * std::exp(i * 5e-5);
+    const double now =
+        even_share(Vec2d(0.3, 0.4), 1.0, Footprint<double>{size * Vec2d(0.02, 0.015), size * Vec2d(0.4, 0.7)});
+    if (last >= 0) REQUIRE(std::abs(now - last) < 2e-3);
+    last = now;
+  }
+  CHECK(last == Approx(0.5).margin(0.01));
+}
