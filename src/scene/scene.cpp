@@ -77,8 +77,8 @@ struct Encloses {
   }
 };
 
-/// About how far light goes through a body on a straight line: the mean chord of its box, 4 V / S (Cauchy). It is also the
-/// mean length of the crooked paths that scattered light takes from surface to surface, however much it scatters (S. Blanco
+/// About how far light goes through a body on a straight line: the mean chord of its box, 4 V / S (Cauchy). It is also
+/// the mean length of the crooked paths of scattered light from surface to surface, however much it scatters (S. Blanco
 /// and R. Fournier, "An invariance property of diffusive random walks", Europhysics Letters 61, 2003).
 double mean_chord(const Object& object) {
   const Bounds<double> box = image_of(affine_of(object.transform), bounds(object.shape));
@@ -107,8 +107,8 @@ std::string why_no_walk_inside(const Object& object) {
   constexpr double patience = 1e5;
   if (most > patience)
     return fmt::format(
-        "light is scattered inside so often that a path would turn about {:.0e} times before it leaves this {} or is absorbed "
-        "(expected at most {:.0e} times: less scattering, more absorption, or a smaller body)",
+        "light is scattered inside so often that a path would turn about {:.0e} times before it leaves this {} or is "
+        "absorbed (expected at most {:.0e} times: less scattering, more absorption, or a smaller body)",
         most, shape, patience);
   return {};
 }

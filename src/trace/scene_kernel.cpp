@@ -4,6 +4,13 @@ namespace raywalk {
 
 namespace {
 
+/// Where the program is to be small, as in a page, other scenes than the plainest take the kernel that has everything.
+#ifdef RAYWALK_FEW_KERNELS
+constexpr bool few_kernels = true;
+#else
+constexpr bool few_kernels = false;
+#endif
+
 /// Runs a procedure, such as PathTracer, over a block. `own`: what it takes beside the world.
 template <template <class> class Procedure, class T, class Watcher, class... Own>
 Statistics run_procedure(const World<T>& world, const RayGenerator<T>& camera, const PixelBlock& block,
@@ -13,17 +20,20 @@ Statistics run_procedure(const World<T>& world, const RayGenerator<T>& camera, c
     procedure.main_algorithm(block, put);
     return procedure.statistics();
   };
-  constexpr HitEffects clear{.scattering = false, .filtering = false},
+  [[maybe_unused]] constexpr HitEffects clear{.scattering = false, .filtering = false},
       no_sky{.scattering = false, .sky = false, .filtering = false},
       neither{.nesting = false, .scattering = false, .sky = false, .filtering = false};
   if (world.numerics == Numerics::naive)
     return run_with.template operator()<Policy<T, Watcher, all_hit_effects, Numerics::naive>>();
   if constexpr (!Watcher::watches) {
-    if (world.filters()) return run_with.template operator()<Policy<T, Watcher>>();
-    if (world.effects.used(Effect::scattering)) return run_with.template operator()<Policy<T, Watcher, no_filtering>>();
-    if (!world.sky && world.bodies.empty()) return run_with.template operator()<Policy<T, Watcher, neither>>();
-    if (!world.sky) return run_with.template operator()<Policy<T, Watcher, no_sky>>();
-    return run_with.template operator()<Policy<T, Watcher, clear>>();
+    const bool filters = world.filters(), scatters = world.effects.used(Effect::scattering);
+    if (!filters && !scatters && !world.sky && world.bodies.empty())
+      return run_with.template operator()<Policy<T, Watcher, neither>>();
+    if constexpr (!few_kernels) {
+      if (!filters && scatters) return run_with.template operator()<Policy<T, Watcher, no_filtering>>();
+      if (!filters && !world.sky) return run_with.template operator()<Policy<T, Watcher, no_sky>>();
+      if (!filters) return run_with.template operator()<Policy<T, Watcher, clear>>();
+    }
   }
   return run_with.template operator()<Policy<T, Watcher>>();
 }
