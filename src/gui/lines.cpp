@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace raywalk {
 
@@ -42,19 +44,25 @@ void lines_pane(const Ui& ui, const Rect& where) {
   const Pane pane(ui, "plan", where, ui.colours.plan, {0, 0},
                   ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   if (!pane) return;
-  paint(*ImGui::GetWindowDrawList(), lines_view(ui.state, viewport), where, ui.dpi, ui.fonts);
-  // The buttons come before the pane's own item: the first one gets the mouse.
-  const float edge = ui.px(28);
-  ButtonLook look{.look = Look::plain, .icon = Icon::none, .font = ui.fonts.small, .label = true};
+  const float edge = ui.px(28), above = ui.px(8), gap = ui.px(6);
+  const ButtonLook look{.look = Look::plain, .icon = Icon::none, .font = ui.fonts.small, .label = true};
+  std::vector<std::pair<const Command*, Rect>> buttons;  // from the right
   float x = where.right() - ui.px(10);
   for (const Command* each : {&command("lines"), &command("reset-view"), &command("walk-strip")}) {
     if (!enabled(*each, ui.state)) continue;
     const float width = button_width(ui, *each, look);
-    x -= width;
-    if (x < where.x) break;
-    ImGui::SetCursorScreenPos({x, where.y + ui.px(8)});
-    command_button(ui, *each, {width, edge}, look);
-    x -= ui.px(6);
+    if (x - width < where.x) break;
+    buttons.emplace_back(each, Rect{x - width, where.y + above, width, edge});
+    x -= width + gap;
+  }
+  const Vec2d covered = buttons.empty() ? Vec2d(0.0)
+                                        : Vec2d(static_cast<double>((where.right() - x) / ui.dpi),
+                                                static_cast<double>((above + edge + gap) / ui.dpi));
+  paint(*ImGui::GetWindowDrawList(), lines_view(ui.state, viewport, covered), where, ui.dpi, ui.fonts);
+  // The buttons come before the pane's own item: the first one gets the mouse.
+  for (const auto& [each, place] : buttons) {
+    ImGui::SetCursorScreenPos(corner(place));
+    command_button(ui, *each, size(place), look);
   }
   ImGui::SetCursorScreenPos(corner(where));
   ImGui::InvisibleButton(

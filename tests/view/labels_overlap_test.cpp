@@ -10,6 +10,7 @@
 #include "support/catch.h"
 #include "support/effort.h"
 #include "support/languages.h"
+#include "view/space/lines_view.h"
 #include "view/text/text.h"
 
 using namespace raywalk;
@@ -209,6 +210,24 @@ void check(const State& state, std::map<std::string, int>& crossed) {
   CHECK((!in_sight || std::any_of(words.begin(), words.end(), [&](const Words& each) { return each.text == name; })));
 }
 
+/// In space, where names lie on what they name, and buttons on the pane. Returns how many there are.
+std::size_t check_in_space(const State& state) {
+  const Viewport& pane = state.plan.viewport;
+  const Vec2d buttons = Sizes(state).unit * Vec2d(100, 42);
+  const Box covered{{pane.width - buttons.x, 0.0}, {pane.width, buttons.y}};
+  const std::vector<Words> words = words_of(lines_view(state, pane, buttons), pane);
+  for (std::size_t a = 0; a < words.size(); ++a) {
+    INFO('"' << words[a].text << '"');
+    CHECK(words[a].whole);
+    CHECK_FALSE(words[a].box.meets(covered));
+    for (std::size_t b = a + 1; b < words.size(); ++b) {
+      INFO("and \"" << words[b].text << '"');
+      CHECK_FALSE(words[a].box.meets(words[b].box));
+    }
+  }
+  return words.size();
+}
+
 /// What the layout leaves for the plan, in units at scale 1: of a window of 1280x720 in both themes, of 1920x1080, of
 /// that at scale 2, of 2560x1440 at scale 3, where everything is drawn somewhat smaller, and of 768x1024 upright.
 struct Window {
@@ -281,6 +300,31 @@ TEST_CASE("no text of the plan lies over what it could hide: every step of every
     }
   }
   std::printf("lessons: %d texts, %d over a ray\n", crossed["texts"], crossed["over a ray"]);
+}
+
+TEST_CASE("in space no name lies over another or below the buttons, in any lesson and on a telephone") {
+  State state = state_with_lessons();
+  const Window telephone{{411, 155}, {411, 155}, 0.875};
+  std::size_t names = 0;
+  unsigned turn = 0;
+  for (const LessonEntry& entry : std::vector<LessonEntry>(state.lessons.list)) {
+    update(state, action::OpenLesson{entry.name});
+    for (int step = 0; step < entry.steps; ++step) {
+      update(state, action::GoToLessonStep{step});
+      if (state.lessons.at() == nullptr || !shows_lines(state)) continue;
+      for (const Language language : all_languages())
+        for (const Theme theme : {Theme::dark, Theme::projector})
+          for (const Window& window : {windows[0], windows[3], windows[4], windows[5], telephone}) {
+            if (left_out(turn++, 7)) continue;
+            state.appearance.language = language;
+            show_in(state, window.beside_lesson, window.scale, theme);
+            INFO(entry.name << ", step " << step + 1 << ", " << state.plan.viewport.width << " x "
+                            << state.plan.viewport.height << ", " << language.code() << ", " << name_of(theme));
+            names += check_in_space(state);
+          }
+    }
+  }
+  CHECK(names > (sanitized ? 100U : 1000U));
 }
 
 TEST_CASE("hardly a number beside a hit lies on the outline of a body, in the lessons that read them from the plan") {

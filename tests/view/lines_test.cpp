@@ -137,6 +137,27 @@ TEST_CASE("in a small pane the names of EYE and the lights are whole, or left ou
   }
 }
 
+TEST_CASE("where nothing is finite, EYE, SCREEN and the floor that it looks at are in view") {
+  for (const std::string scene : {"overcast", "wall"}) {
+    State state = make_state(read_document(RAYWALK_SOURCE_DIR "/lessons/17-skies-and-metals/" + scene + ".toml"));
+    for (const Viewport& pane : {Viewport{526, 497}, Viewport{345, 316}, Viewport{411, 155}}) {
+      update(state, action::ResizePlan{pane});
+      const Projection seen(lines_camera(state, pane), pane);
+      const Camera& camera = state.scene().camera;
+      for (const Vec3d& point : {camera.eye, camera.look_at, (camera.eye + camera.look_at) / 2.0}) {
+        const auto at = seen.point(point);
+        CAPTURE(scene, pane.width, point.x, point.y, point.z);
+        REQUIRE(at);
+        CHECK((at->x > 0 && at->x < pane.width && at->y > 0 && at->y < pane.height));
+      }
+      int lines_of_floor = 0;
+      for (const DisplayItem& item : lines_view(state, pane))
+        lines_of_floor += item.target == Target{TargetKind::object, 0};
+      CHECK(lines_of_floor > 8);
+    }
+  }
+}
+
 TEST_CASE("in space a wall's name does not stand on what lies before it") {
   for (const std::string& path : shipped_scenes()) {
     if (!path.ends_with("/cornell.toml")) continue;

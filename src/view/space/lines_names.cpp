@@ -99,18 +99,23 @@ void name_one(Painter& painter, const Named& thing, const std::vector<Named>& al
 
 }  // namespace
 
-void draw_name(Painter& painter, const std::string& what, const Vec2d& of, const Vec2d& away) {
+void draw_name(Painter& painter, const std::string& what, const Vec2d& of, const Vec2d& away,
+               const std::vector<std::array<Vec2d, 2>>& lines) {
   if (what.empty()) return;
   const NameLines letters = letterings(what, painter.sizes.text).front();
   const Vec2d beside(length(away) + letters.half.x, 0);
-  for (const Vec2d& at : {of + away, of - away, of + beside, of - beside}) {
-    const PixelRect box{at - letters.half, at + letters.half};
-    if (box.overlap(painter.pane()) < 0.999 * 4 * letters.half.x * letters.half.y) continue;
-    if (std::any_of(painter.kept_free.begin(), painter.kept_free.end(),
-                    [&](const PixelRect& taken) { return box.overlap(taken) > 0; }))
-      continue;
-    return put(painter, at, letters);
-  }
+  for (const bool on_lines : {false, true})
+    for (const Vec2d& at : {of + away, of - away, of + beside, of - beside}) {
+      const PixelRect box{at - letters.half, at + letters.half};
+      if (box.overlap(painter.pane()) < 0.999 * 4 * letters.half.x * letters.half.y) continue;
+      if (!on_lines &&
+          std::any_of(lines.begin(), lines.end(), [&](const auto& ends) { return box.meets(ends[0], ends[1]); }))
+        continue;
+      if (std::any_of(painter.kept_free.begin(), painter.kept_free.end(),
+                      [&](const PixelRect& taken) { return box.overlap(taken) > 0; }))
+        continue;
+      return put(painter, at, letters);
+    }
 }
 
 void draw_object_names(Painter& painter, const Projection& seen) {

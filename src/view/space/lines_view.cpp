@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace raywalk {
 
@@ -23,13 +24,15 @@ constexpr std::size_t detailed_objects = 300;
 
 class Lines {
  public:
-  Lines(const State& state, const Viewport& viewport)
+  Lines(const State& state, const Viewport& viewport, const Vec2d& buttons)
       : painter_(state, viewport),
         scene_(state.scene()),
         crowd_(crowd_of(state)),
         room_(crowd_ ? crowd_->room : room_of(scene_)),
         seen_(lines_camera(state, viewport), viewport),
-        reach_(2 * length(room_.max - room_.min)) {}
+        reach_(2 * length(room_.max - room_.min)) {
+    if (buttons.x > 0) painter_.kept_free.push_back({{viewport.width - buttons.x, 0.0}, {viewport.width, buttons.y}});
+  }
 
   DisplayList draw() {
     draw_objects();
@@ -144,8 +147,12 @@ class Lines {
     const auto on_screen = [&](double x, double y) { return middle + half * x * right + half / aspect * y * up; };
     const Stroke ink = painter_.stroke(painter_.colours.ink, 1.2);
     const Stroke faint = painter_.stroke(painter_.colours.ink.with_alpha(90), 0.8);
+    std::vector<std::array<Vec2d, 2>> frustum;
     for (const double x : {-1.0, 1.0})
-      for (const double y : {-1.0, 1.0}) line(camera.eye, on_screen(x, y), faint, {TargetKind::eye});
+      for (const double y : {-1.0, 1.0}) {
+        line(camera.eye, on_screen(x, y), faint, {TargetKind::eye});
+        if (const auto ends = seen_.segment(camera.eye, on_screen(x, y))) frustum.push_back(*ends);
+      }
     const auto rectangle = [&](double x0, double y0, double x1, double y1, const Stroke& stroke) {
       line(on_screen(x0, y0), on_screen(x1, y0), stroke);
       line(on_screen(x1, y0), on_screen(x1, y1), stroke);
@@ -164,7 +171,7 @@ class Lines {
     if (const auto at = seen_.point(camera.eye)) {
       painter_.add(CircleItem{*at, 4 * painter_.sizes.unit, painter_.colours.ink, std::nullopt}, {TargetKind::eye});
       draw_name(painter_, std::string(text("object.eye", painter_.state.appearance.language)), *at,
-                Vec2d(0, 16 * painter_.sizes.unit));
+                Vec2d(0, 16 * painter_.sizes.unit), frustum);
     }
   }
 
@@ -286,7 +293,9 @@ Camera lines_camera(const State& state, const Viewport& viewport) {
   return crowd ? overlooking(state.scene(), viewport, crowd->at_first) : overlooking(state.scene(), viewport);
 }
 
-DisplayList lines_view(const State& state, const Viewport& viewport) { return Lines(state, viewport).draw(); }
+DisplayList lines_view(const State& state, const Viewport& viewport, const Vec2d& buttons) {
+  return Lines(state, viewport, buttons).draw();
+}
 
 Target pick_in_lines(const State& state, const Viewport& viewport, const Vec2d& at) {
   const double reach = Sizes(state).reach;

@@ -25,6 +25,15 @@ void add_corners(const Bounds<double>& box, const Affine<double>& place, std::ve
                                   (corner & 4) != 0 ? box.max.z : box.min.z}));
 }
 
+/// Around what EYE looks at: where nothing in a scene is finite, that is what there is to see.
+Bounds<double> looked_at(const Camera& camera) {
+  const Vec3d half(length(camera.look_at - camera.eye) / 2);
+  Bounds<double> box;
+  box.include(camera.look_at - half);
+  box.include(camera.look_at + half);
+  return box;
+}
+
 /// The corners of everything finite, and EYE.
 std::vector<Vec3d> bodies_and_eye(const Scene& scene) {
   std::vector<Vec3d> points{scene.camera.eye};
@@ -32,6 +41,7 @@ std::vector<Vec3d> bodies_and_eye(const Scene& scene) {
     const Bounds<double> own = bounds(object.shape);
     if (!own.empty() && own.bounded()) add_corners(own, affine_of(object.transform), points);
   }
+  if (points.size() < 2) add_corners(looked_at(scene.camera), {}, points);
   return points;
 }
 
@@ -105,6 +115,7 @@ Bounds<double> room_of(const Scene& scene) {
     if (const std::optional<Bounds<double>> own = footprint_of(object)) box.include(*own);
   for (const Light& light : scene.lights)
     if (const std::optional<Vec3d> middle = middle_of(light)) box.include(*middle);
+  if (box.min == box.max) box.include(looked_at(scene.camera));
   return thick(box);
 }
 
