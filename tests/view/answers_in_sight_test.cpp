@@ -1,18 +1,25 @@
-// Nothing on the screen tells the answer of a lesson's question before it is given.
+// Nothing on the screen tells the answer of a lesson's question before it is given: no number, no name of a choice, and
+// no sentence with the words that the right choice alone has.
 
 #include <fmt/format.h>
 
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
+#include <map>
 #include <set>
+#include <utility>
 
 #include "lesson_state.h"
 #include "scene/names.h"
 #include "support/catch.h"
 #include "support/languages.h"
+#include "text/file.h"
+#include "view/band/band.h"
 #include "view/legend/legend.h"
 #include "view/microscope/microscope.h"
+#include "view/outline.h"
 #include "view/plan/plan_geometry.h"
 #include "view/plan/plan_view.h"
 #include "view/stack/stack_panel.h"
@@ -51,9 +58,48 @@ std::vector<Said> said_by_lesson(State state) {
   return said;
 }
 
+void note_down_all(std::vector<Said>& said, const std::vector<OutlineItem>& items) {
+  for (const OutlineItem& item : items) {
+    note_down(said, "outline", item.name);
+    note_down(said, "outline", item.value);
+    note_down_all(said, item.items);
+  }
+}
+
+/// What is read out to whoever cannot see the window, and not said already: all but the lesson, the code, which is the
+/// same in every step, and the things of the plan, which are all there.
+void note_down_outline(std::vector<Said>& said, const State& state) {
+  std::vector<Said> read_out;
+  for (const OutlineItem& region : outline(state))
+    if (region.key != "lesson" && region.key != "code" && region.key != "plan") note_down_all(read_out, region.items);
+  for (Said& each : read_out)
+    if (std::none_of(said.begin(), said.end(), [&](const Said& before) { return before.text == each.text; }))
+      said.push_back(std::move(each));
+}
+
+std::vector<std::string> legend_texts(const State& state) {
+  std::vector<std::string> texts;
+  const Legend signs = legend(state);
+  for (const LegendRow& row : signs.rays) texts.push_back(row.name + ": " + row.meaning);
+  for (const LegendSign& sign : signs.signs) texts.push_back(sign.meaning);
+  return texts;
+}
+
+/// What the legend says here and not at the walk's start: of all that can happen it tells nothing.
+void note_down_legend(std::vector<Said>& said, State state) {
+  const std::vector<std::string> now = legend_texts(state);
+  state.walk.position = 0;
+  const std::vector<std::string> before = legend_texts(state);
+  for (const std::string& text : now)
+    if (std::find(before.begin(), before.end(), text) == before.end()) note_down(said, "legend", text);
+}
+
 /// What the walk's panes say, whichever of them is open, and the tooltips.
 std::vector<Said> said_by_panes(State state) {
   std::vector<Said> said;
+  for (const DisplayItem& item : band_view(state, 1200, band_height, 1, -1))
+    if (const auto* text = std::get_if<TextItem>(&item.shape)) note_down(said, "band", text->text);
+  note_down_legend(said, state);
   note_down(said, "sentence", sentence(state));
   for (const CodeBox& box : code_panel(state).boxes) note_down(said, "code", box.badge);
   for (const TreeNode& node : tree_panel(state).nodes) {
@@ -73,10 +119,15 @@ std::vector<Said> said_by_panes(State state) {
   for (const Tab tab : all_tabs) {
     update(state, action::SetTab{tab});
     const DisplayList plan = plan_view(state);
+    std::string names;  // of all that is drawn
     for (const DisplayItem& item : plan) {
-      if (const auto* text = std::get_if<TextItem>(&item.shape)) note_down(said, "plan", text->text);
+      if (const auto* text = std::get_if<TextItem>(&item.shape)) {
+        note_down(said, "plan", text->text);
+        names += text->text + ' ';
+      }
       if (item.target.kind == TargetKind::ray) note_down(said, "tooltip", target_text(state, item.target));
     }
+    note_down(said, "names", names);
     if (tab != StructureRoom::tab) continue;
     // Every step that one can go to there.
     for (int step = 0; step <= structure_steps(state); ++step) {
@@ -88,6 +139,7 @@ std::vector<Said> said_by_panes(State state) {
         for (const std::string& number : row.numbers) note_down(said, "structure", number);
     }
   }
+  note_down_outline(said, state);
   return said;
 }
 
@@ -129,6 +181,61 @@ std::string without_questions(const std::string& text) {
   return kept;
 }
 
+/// The words of a text in small letters, and its numbers. What is not ASCII is taken for a letter.
+std::vector<std::string> words_in(const std::string& text) {
+  std::vector<std::string> words;
+  std::string word;
+  for (const char c : in_lower(text) + ' ') {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= 0x80 || std::isalnum(byte) != 0) {
+      word += c;
+    } else if (!word.empty()) {
+      words.push_back(std::exchange(word, {}));
+    }
+  }
+  return words;
+}
+
+/// Whether two words say the same: "scatters" and "scattered".
+bool alike(const std::string& a, const std::string& b) {
+  if (std::isdigit(static_cast<unsigned char>(a[0])) != 0) return a == b;
+  const auto [end, ignored] = std::mismatch(a.begin(), a.begin() + std::min(a.size(), b.size()), b.begin());
+  const std::size_t common = end - a.begin(), longer = std::max(a.size(), b.size());
+  return a == b || (common >= 4 && 10 * common >= 7 * longer);
+}
+
+bool has_alike(const std::vector<std::string>& words, const std::string& word) {
+  return std::any_of(words.begin(), words.end(), [&](const std::string& each) { return alike(each, word); });
+}
+
+/// The words that stand in a third of all lessons or more: they tell nothing.
+std::set<std::string> everyday_words(Language language) {
+  const std::string folder = RAYWALK_SOURCE_DIR "/lessons";
+  std::map<std::string, std::size_t> lessons_with;
+  const std::vector<std::string> names = lesson_names(folder);
+  for (const std::string& name : names) {
+    const std::vector<std::string> words =
+        words_in(read_file(fmt::format("{}/{}/{}.md", folder, name, language.code()), 1 << 20).value());
+    for (const std::string& word : std::set<std::string>(words.begin(), words.end())) ++lessons_with[word];
+  }
+  std::set<std::string> everyday;
+  for (const auto& [word, count] : lessons_with)
+    if (3 * count >= names.size()) everyday.insert(word);
+  return everyday;
+}
+
+/// The sentences that state something, each by itself.
+std::vector<std::string> sentences_in(const std::string& text) {
+  std::vector<std::string> sentences;
+  const std::string statements = without_questions(text);
+  for (std::size_t begin = 0, at = 0; at < statements.size(); ++at) {
+    const bool ends = at + 1 == statements.size() || statements[at] == '\n' ||
+                      (std::strchr(".!:;", statements[at]) != nullptr && statements[at + 1] == ' ');
+    if (ends) sentences.push_back(statements.substr(std::exchange(begin, at + 1), at + 1 - begin));
+  }
+  return sentences;
+}
+
 /// The names in quotes of a choice's formula as the panes write them: objects, and how rays end.
 std::vector<std::string> names_in(const Formula& formula, const Scene& scene, Language language) {
   std::vector<std::string> names;
@@ -155,15 +262,22 @@ struct Coincidence {
   const char* why;
 };
 const std::vector<Coincidence> coincidences{
+    {"02-ray-meets-sphere", "from-inside", "lesson", "started", "where the ray starts is given"},
+    {"02-ray-meets-sphere", "from-inside", "lesson", "partida", "the same"},
+    {"02-ray-meets-sphere", "from-inside", "microscope", "started", "how far off rays start, by either numerics"},
     {"02-ray-meets-sphere", "grow", "equation", "7", "where EYE stands"},
     {"04-reflection", "meets", "tree", "the Solid Sphere", "what blocks the shadow ray, which is another ray"},
     {"04-reflection", "meets", "tree", "a esfera s\u00f3lida", "the same"},
     {"04-reflection", "meets", "tree", "la esfera s\u00f3lida", "the same"},
+    {"04-reflection", "meets", "outline", "the Solid Sphere", "the same, read out"},
+    {"04-reflection", "meets", "outline", "a esfera s\u00f3lida", "the same"},
+    {"04-reflection", "meets", "outline", "la esfera s\u00f3lida", "the same"},
     {"04-reflection", "share", "stack", "9", "the number of the pixel"},
     {"04-reflection", "share", "tooltip", "9", "the number of the pixel"},
     {"06-when-does-it-end", "dark", "lesson", "threshold", "its value is given, to be compared with the share"},
     {"06-when-does-it-end", "dark", "lesson", "limiar", "the same"},
     {"06-when-does-it-end", "dark", "lesson", "umbral", "the same"},
+    {"14-radiosity", "strings", "lesson", "cross", "what the four strings do is given"},
 };
 
 std::set<std::string> needed;  // of the list above
@@ -184,24 +298,45 @@ struct Asked {
   const StepWords& words;
   std::optional<double> number;
   int right = -1;  ///< of choices
+  /// Of each choice: its words that no other choice has.
+  std::vector<std::vector<std::string>> own_words;
 };
 
-Asked asked_of(const State& state) {
+std::vector<std::vector<std::string>> own_words_of(const std::vector<std::vector<std::string>>& choices,
+                                                   const std::set<std::string>& everyday) {
+  constexpr std::size_t short_word = 4;  // in bytes; yes, no, sim
+  std::vector<std::vector<std::string>> own(choices.size());
+  for (std::size_t i = 0; i < choices.size(); ++i)
+    for (const std::string& word : choices[i]) {
+      if (everyday.contains(word) || (word.size() < short_word && std::isdigit(word[0]) == 0)) continue;
+      bool elsewhere = false;
+      for (std::size_t k = 0; k < choices.size(); ++k) elsewhere = elsewhere || (k != i && has_alike(choices[k], word));
+      if (!elsewhere) own[i].push_back(word);
+    }
+  return own;
+}
+
+Asked asked_of(const State& state, const std::set<std::string>& everyday) {
   const LessonRoom& sitting = state.lessons;
   const PlayedStep& step = *sitting.at();
-  Asked asked{step, *sitting.open->lesson.told(state.appearance.language).find(step.step->id), std::nullopt};
+  Asked asked{step, *sitting.open->lesson.told(state.appearance.language).find(step.step->id), std::nullopt, -1, {}};
   const auto value = [&](const Expression& formula) {
     return value_at(sitting.open->played, static_cast<std::size_t>(sitting.step), step.shown, formula).value();
   };
   if (const auto* number = std::get_if<NumberQuestion>(&*step.step->question))
     asked.number = std::get<double>(value(number->answer.expression));
-  if (const auto* choice = std::get_if<ChoiceQuestion>(&*step.step->question))
+  if (const auto* choice = std::get_if<ChoiceQuestion>(&*step.step->question)) {
+    std::vector<std::vector<std::string>> words;
+    for (const LessonChoice& each : lesson_panel(state).choices) words.push_back(words_in(each.text));
+    asked.own_words = own_words_of(words, everyday);
     for (std::size_t i = 0; i < choice->choices.size(); ++i)
       if (holds(value(choice->choices[i].expression))) asked.right = static_cast<int>(i);
+  }
   return asked;
 }
 
 void look_for_number(const std::string& lesson, const State& state, const Asked& asked, const Said& said) {
+  if (said.where == "outline" || said.where == "band" || said.where == "names") return;  // they count steps and pixels
   const auto& question = std::get<NumberQuestion>(*asked.step.step->question);
   for (const double number : numbers_in(said.text, state.appearance.language)) {
     if (std::abs(number - *asked.number) > question.tolerance + 1e-9) continue;
@@ -211,24 +346,48 @@ void look_for_number(const std::string& lesson, const State& state, const Asked&
   }
 }
 
-void look_for_choice(const std::string& lesson, const State& state, const Asked& asked, const Said& said) {
+/// Whether the right choice is named, and no other.
+bool look_for_choice(const std::string& lesson, const State& state, const Asked& asked, const Said& said) {
   const auto& choices = std::get<ChoiceQuestion>(*asked.step.step->question).choices;
   const auto tells = [&](std::size_t i) {
     constexpr std::size_t short_word = 4;  // yes, no, sim: they stand in any text
     if (said.where == "lesson" && asked.words.choices[i].text.size() <= short_word) return false;
     if (said.where == "lesson") return holds_words(without_questions(said.text), asked.words.choices[i].text);
-    if (said.where == "plan") return false;  // which has the names of all
+    if (said.where == "plan") return false;  // which has the names of all: they are looked at together
     const auto names = names_in(choices[i], asked.step.walk->document.scene, state.appearance.language);
     return std::any_of(names.begin(), names.end(),
                        [&](const std::string& name) { return holds_words(said.text, name); });
   };
   const auto right = static_cast<std::size_t>(asked.right);
-  if (!tells(right)) return;
+  if (!tells(right)) return false;
   for (std::size_t i = 0; i < choices.size(); ++i)
-    if (i != right && tells(i)) return;  // two of them are named: neither is told
-  if (is_coincidence(lesson, asked.step.step->id, said.where, asked.words.choices[right].text)) return;
+    if (i != right && tells(i)) return false;  // two of them are named: neither is told
+  if (is_coincidence(lesson, asked.step.step->id, said.where, asked.words.choices[right].text)) return true;
   FAIL_CHECK(fmt::format("{} {} {}: {} tells \"{}\": {}", lesson, asked.step.step->id, state.appearance.language.code(),
                          said.where, asked.words.choices[right].text, said.text));
+  return true;
+}
+
+/// No sentence has words of the right choice and none of the others.
+void look_for_words(const std::string& lesson, const State& state, const Asked& asked, const Said& said) {
+  if (said.where == "names" || said.where == "plan") return;  // which has the names of all
+  for (const std::string& statement : sentences_in(said.text)) {
+    const std::vector<std::string> words = words_in(statement);
+    std::size_t choices = 0;
+    std::string found;
+    for (std::size_t i = 0; i < asked.own_words.size(); ++i) {
+      const auto& own = asked.own_words[i];
+      const auto met =
+          std::find_if(own.begin(), own.end(), [&](const std::string& word) { return has_alike(words, word); });
+      if (met == own.end()) continue;
+      ++choices;
+      if (static_cast<int>(i) == asked.right) found = *met;
+    }
+    if (choices != 1 || found.empty()) continue;
+    if (is_coincidence(lesson, asked.step.step->id, said.where, found)) continue;
+    FAIL_CHECK(fmt::format("{} {} {}: {} has \"{}\", a word of the right choice: {}", lesson, asked.step.step->id,
+                           state.appearance.language.code(), said.where, found, statement));
+  }
 }
 
 /// No line that leaves the place of the arrow points where it has to go.
@@ -264,6 +423,9 @@ void look_for_line(const std::string& lesson, const State& state, const Asked& a
 
 TEST_CASE("no step shows its answer before it is given, in any language") {
   needed.clear();
+  std::map<std::string, std::set<std::string>> everyday;
+  for (const Language language : test::all_languages())
+    everyday[std::string(language.code())] = everyday_words(language);
   State state = test::state_with_lessons();
   for (const LessonEntry& entry : std::vector(state.lessons.list)) {
     update(state, action::OpenLesson{entry.name});
@@ -274,7 +436,7 @@ TEST_CASE("no step shows its answer before it is given, in any language") {
       if (!state.lessons.at()->step->question) continue;
       for (const Language language : test::all_languages()) {
         update(state, action::SetLanguage{std::string(language.code())});
-        const Asked asked = asked_of(state);
+        const Asked asked = asked_of(state, everyday[std::string(language.code())]);
         const LessonQuestion& question = *asked.step.step->question;
         CHECK(state.walk.position == asked.step.asked);
         std::vector<Said> said = said_by_lesson(state);
@@ -285,7 +447,8 @@ TEST_CASE("no step shows its answer before it is given, in any language") {
         if (std::holds_alternative<ArrowQuestion>(question)) look_for_arrow(entry.name, state, asked);
         for (const Said& each : said) {
           if (asked.number) look_for_number(entry.name, state, asked, each);
-          if (asked.right >= 0) look_for_choice(entry.name, state, asked, each);
+          if (asked.right < 0) continue;
+          if (!look_for_choice(entry.name, state, asked, each)) look_for_words(entry.name, state, asked, each);
         }
       }
     }
