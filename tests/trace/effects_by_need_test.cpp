@@ -104,7 +104,10 @@ std::vector<Switch> switches() {
       {antialiasing, {antialiasing}, dull, dull, 4},
       {textures,
        {textures},
-       [](Scene& s) { s.objects[2].material.checker = Checker{Rgbd(0.9), Rgbd(0.3), 0.2}; },
+       [](Scene& s) {
+         std::optional<Checker>& checker = s.objects[2].material.checker;
+         if (!checker) checker = Checker{Rgbd(0.9), Rgbd(0.3), 0.2};
+       },
        dull},
       {filtering,
        {filtering, textures},
@@ -262,7 +265,8 @@ TEST_CASE("an effect that is switched on leaves alone what holds nothing of it")
                     (decided && (decided->holds || decided->why) && event.line == Line::if_transparent &&
                      (effect == Effect::refraction || effect == Effect::translucency)) ||
                     (decided && decided->holds && effect == Effect::gloss && event.line == Line::if_reflective) ||
-                    (found && found->object == 2 && (effect == Effect::textures || effect == Effect::motion_blur)) ||
+                    (found && found->object == 2 &&
+                     (effect == Effect::textures || effect == Effect::filtering || effect == Effect::motion_blur)) ||
                     (found && found->ending == Ending::missed && effect == Effect::sky);
           }
           if (!meets) ++spared, wrong += old != now;
@@ -288,7 +292,7 @@ TEST_CASE("cast and whitted leave out what they do not follow, and draw nothing"
   };
   const auto whole = traced(Integrator::distributed, 3);
   CHECK(used_by(scene, 3) == std::set{shadows, reflection, refraction, gloss, translucency, penumbra, depth_of_field,
-                                      motion_blur, antialiasing, textures, sky});
+                                      motion_blur, antialiasing, textures, sky, filtering});
   CHECK(whole.statistics.random_draws() > 0);
   scene.render.integrator = Integrator::automatic;
   CHECK(integrator_of(scene) == Integrator::distributed);
@@ -296,7 +300,7 @@ TEST_CASE("cast and whitted leave out what they do not follow, and draw nothing"
   CHECK(integrator_of(plain_scene(), 2) == Integrator::distributed);
 
   scene.render.integrator = Integrator::whitted;
-  const std::set<Effect> fixed{shadows, reflection, refraction, penumbra, textures, sky};
+  const std::set<Effect> fixed{shadows, reflection, refraction, penumbra, textures, sky, filtering};
   CHECK(used_by(scene, 1) == fixed);
   const auto sharp = picture<double>(scene, width, height, {3, 5});
   CHECK(sharp.statistics.random_draws() == 0);
@@ -305,10 +309,10 @@ TEST_CASE("cast and whitted leave out what they do not follow, and draw nothing"
   scene.render.sampler = Sampler::sobol;
   CHECK(same(sharp, picture<double>(scene, width, height, {3, 99})));
   scene.render.light_grid = 1;  // the middle of each light
-  CHECK(used_by(scene, 1) == std::set{shadows, reflection, refraction, textures, sky});
+  CHECK(used_by(scene, 1) == std::set{shadows, reflection, refraction, textures, sky, filtering});
 
   scene.render.integrator = Integrator::cast;
-  CHECK(used_by(scene, 1) == std::set{shadows, textures, sky});
+  CHECK(used_by(scene, 1) == std::set{shadows, textures, sky, filtering});
   const auto cast = picture<double>(scene, width, height);
   CHECK(cast.statistics.formed(RayKind::reflect) == 0);
   CHECK(cast.statistics.formed(RayKind::refract) == 0);
