@@ -83,7 +83,10 @@ const std::vector<Section>& sections() {
         {"help.endings.depth_limit_term", "help.endings.depth_limit"},
         {"help.endings.share_too_small_term", "help.endings.share_too_small"},
         {"help.endings.total_internal_reflection_term", "help.endings.total_internal_reflection"},
-        {"help.endings.faces_away_term", "help.endings.faces_away"}}},
+        {"help.endings.faces_away_term", "help.endings.faces_away"},
+        {"help.endings.outside_cone_term", "help.endings.outside_cone"},
+        {"help.endings.path_length_term", "help.endings.path_length"},
+        {"ending.scattered", "help.endings.scattered"}}},
       {"help.credits.title", {{"", "help.credits.text"}}},
   };
   return all;
