@@ -199,8 +199,8 @@ std::vector<std::string> words_in(const std::string& text) {
 /// Whether two words say the same: "scatters" and "scattered".
 bool alike(const std::string& a, const std::string& b) {
   if (std::isdigit(static_cast<unsigned char>(a[0])) != 0) return a == b;
-  const auto [end, ignored] = std::mismatch(a.begin(), a.begin() + std::min(a.size(), b.size()), b.begin());
-  const std::size_t common = end - a.begin(), longer = std::max(a.size(), b.size());
+  const auto common = std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first - a.begin();
+  const auto longer = std::ssize(a.size() < b.size() ? b : a);
   return a == b || (common >= 4 && 10 * common >= 7 * longer);
 }
 
