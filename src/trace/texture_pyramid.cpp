@@ -104,7 +104,8 @@ Rgb<T> TexturePyramid::ewa(T u, T v, const Footprint<T>& footprint) const {
   constexpr double narrowest = 1.0 / 16;
   Vec2d longer = in_pixels(*image_, Vec2d(footprint.x)), shorter = in_pixels(*image_, Vec2d(footprint.y));
   double major = length_of(longer), minor = length_of(shorter);
-  if (!(major < countless && minor < countless)) return Rgb<T>(level(size() - 1).pixels.front());
+  const Rgb<T> mean(level(size() - 1).pixels.front());
+  if (!(major < countless && minor < countless) || !std::isfinite(u) || !std::isfinite(v)) return mean;
   if (major < minor) std::swap(longer, shorter), std::swap(major, minor);
   if (minor < narrowest * major) {
     const double wider = narrowest * major;
@@ -116,6 +117,7 @@ Rgb<T> TexturePyramid::ewa(T u, T v, const Footprint<T>& footprint) const {
   };
   const Footprint<T> widened{in_copies(longer), in_copies(shorter)};
   const Between<T> between = level_of(static_cast<T>(minor));
+  if (between.level == size() - 1) return mean;  // however far the ellipse reaches
   const Rgb<T> sharp = ewa_of_level(between.level, u, v, widened);
   if (between.share == 0) return sharp;
   return sharp + between.share * (ewa_of_level(between.level + 1, u, v, widened) - sharp);

@@ -213,13 +213,13 @@ TEST_CASE("a pyramid is the image close by, and its mean far away") {
   auto image = std::make_shared<Image>(Image{16, 16, {}});
   for (int i = 0; i < 256; ++i) image->pixels.emplace_back(static_cast<float>((i * 37) % 256));
   const TexturePyramid pyramid(image);
-  const Footprint<double> point{}, tiny{{0.01, 0}, {0, 0.01}}, far{{3, 0}, {0, 2}},
+  const Footprint<double> point{}, tiny{{0.01, 0}, {0, 0.01}}, far{{3, 0}, {0, 2}}, farther{{1e9, 0}, {0, 1e8}},
       horizon{{infinity<double>, 0}, {0, 1}}, nowhere{{std::nan(""), 0}, {0, 1}};
   for (const Vec2d& uv : {Vec2d(0.3, 0.8), Vec2d(0.01, 0.99), Vec2d(-2.3, 7.1)}) {
     const Rgbd sharp = texture_colour(*image, uv.x, uv.y);
     CHECK(pyramid.trilinear(uv.x, uv.y, point) == sharp);
     CHECK(pyramid.trilinear(uv.x, uv.y, tiny) == sharp);
-    for (const auto& footprint : {far, horizon, nowhere}) {
+    for (const auto& footprint : {far, farther, horizon, nowhere}) {
       CHECK(pyramid.trilinear(uv.x, uv.y, footprint).x == Approx(127.5));
       CHECK(pyramid.ewa(uv.x, uv.y, footprint).x == Approx(127.5));
     }
