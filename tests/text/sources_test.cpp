@@ -299,6 +299,7 @@ TEST_CASE("what is said in other words in English is translated") {
                                    "pixel",
                                    "sobol",
                                    "t",
+                                   "trilinear",
                                    "whitted",
                                    "{length} = {ulps} ulp",
                                    "{number} \u00b5s",
