@@ -54,6 +54,8 @@ TEST_CASE("every member of a family has its text, and none is there for nobody")
   const auto choose = [&](std::string_view name) { ask("choice", name, family_text("choice", name, language)); };
   for (const ShadowKind kind : values_of<ShadowKind>) choose(name_of(kind));
   for (const ShadingNormal normal : values_of<ShadingNormal>) choose(name_of(normal));
+  for (const CheckerFilter filter : values_of<CheckerFilter>) choose(name_of(filter));
+  for (const TextureFilter filter : values_of<TextureFilter>) choose(name_of(filter));
   [&]<class... Kinds>(const std::variant<Kinds...>* /*all*/) {
     (choose(Kinds::name), ...);
   }(static_cast<const AnySky*>(nullptr));
