@@ -12,7 +12,8 @@ set(smallest accel/watched.cpp accel/accelerator_naive.cpp trace/kernel_naive.cp
   accel/structures.cpp accel/wide_tree.cpp accel/primitives.cpp accel/search_record.cpp math/elementary/big_float.cpp)
 list(TRANSFORM smallest PREPEND "${CMAKE_SOURCE_DIR}/src/")
 set_source_files_properties(${smallest} PROPERTIES COMPILE_OPTIONS -Oz SKIP_PRECOMPILE_HEADERS ON)
-set_source_files_properties("${CMAKE_SOURCE_DIR}/src/trace/scene_kernel.cpp" PROPERTIES COMPILE_DEFINITIONS RAYWALK_FEW_KERNELS)
+set_source_files_properties("${CMAKE_SOURCE_DIR}/src/trace/scene_kernel.cpp" "${CMAKE_SOURCE_DIR}/src/trace/photon_kernel.cpp"
+  PROPERTIES COMPILE_DEFINITIONS RAYWALK_FEW_KERNELS)
 
 # Fonts, scenes, lessons and texts, as the installed program has them. Of the fonts only what is drawn: the ranges of
 # `glyphs` in gui/fonts.cpp. The hints of TrueType fonts are left out, for nothing follows them.
