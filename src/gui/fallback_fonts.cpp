@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <filesystem>
 #include <set>
 #include <system_error>
@@ -74,10 +75,13 @@ std::size_t rank_of(const fs::path& path) {
 
 /// Whether it begins as TrueType, OpenType and collections of them do: ImGui gives up on anything else.
 bool begins_as_font(const std::string& file) {
-  constexpr std::size_t most = 1 << 28;
-  const auto bytes = read_file(file, most);
+  std::array<char, 4> head{};
+  if (std::FILE* const opened = std::fopen(file.c_str(), "rb")) {  // no stream, which would weigh on the page
+    static_cast<void>(std::fread(head.data(), 1, head.size(), opened));
+    std::fclose(opened);
+  }
   constexpr std::array<std::string_view, 4> heads{std::string_view("\0\1\0\0", 4), "OTTO", "true", "ttcf"};
-  return bytes && std::find(heads.begin(), heads.end(), std::string_view(*bytes).substr(0, 4)) != heads.end();
+  return std::find(heads.begin(), heads.end(), std::string_view(head.data(), head.size())) != heads.end();
 }
 
 #if IMGUI_VERSION_NUM < 19200

@@ -73,6 +73,14 @@ template <class T>
   return v / length(v);
 }
 
+/// The derivative of a unit vector v / |v|, from that of v.
+template <class T>
+[[nodiscard]] Vec3<T> derivative_of_unit(const Vec3<T>& v, const Vec3<T>& derivative) {
+  const T size = length(v);
+  const Vec3<T> unit = v / size;
+  return (derivative - dot(derivative, unit) * unit) / size;
+}
+
 /// v, whose length is 1 but for a few roundings, brought back to 1 by one step of Newton's method for 1 / length(v):
 /// without root or division, for the directions that reflection and refraction derive from unit vectors.
 template <class T>

@@ -51,14 +51,6 @@ template <class T>
   return uv_at(shape, into_object_space(transform, point), part);
 }
 
-/// The derivative of a unit vector v / |v|, from that of v.
-template <class T>
-[[nodiscard]] Vec3<T> derivative_of_unit(const Vec3<T>& v, const Vec3<T>& derivative) {
-  const T size = length(v);
-  const Vec3<T> unit = v / size;
-  return (derivative - dot(derivative, unit) * unit) / size;
-}
-
 template <class T>
 [[nodiscard]] Vec3<T> normal_derivative(const Shape<T>& shape, const ObjectTransform<T>& transform,
                                         const SurfacePoint<T>& point, int part, const Vec3<T>& along) {

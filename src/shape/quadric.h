@@ -268,9 +268,7 @@ Vec3<T> normal_derivative(const Quadric<T, Kind>& quadric, const SurfacePoint<T>
   const Vec3d p(point.position), d(along);
   const Vec3d gradient(2 * e.xx * p.x, 2 * e.yy * p.y, 2 * e.zz * p.z + e.linear);
   const Vec3d added(2 * e.xx * d.x, 2 * e.yy * d.y, 2 * e.zz * d.z);
-  const double size = length(gradient);
-  const Vec3d normal = gradient / size;
-  return Vec3<T>((added - dot(added, normal) * normal) / size);
+  return Vec3<T>(derivative_of_unit(gradient, added));
 }
 
 template <class T, QuadricKind Kind>

@@ -76,12 +76,8 @@ class FollowedDifferential {
   /// On from the hit. `refraction`: only used by what is transmitted.
   void leave(const Bsdf<T>& at, const Refraction<T>& refraction, const typename Bsdf<T>::BsdfSample& choice) {
     if (!active_) return;
-    if (choice.lobe == Lobe::mirror)
-      ray_ = {reflect(ray_.x, at.incident, at.shading_normal, normal_.x),
-              reflect(ray_.y, at.incident, at.shading_normal, normal_.y)};
-    if (choice.lobe == Lobe::transparent)
-      ray_ = {refract(ray_.x, at.incident, at.shading_normal, normal_.x, refraction),
-              refract(ray_.y, at.incident, at.shading_normal, normal_.y, refraction)};
+    if (choice.lobe == Lobe::mirror) ray_ = reflect(ray_, at.incident, at.shading_normal, normal_);
+    if (choice.lobe == Lobe::transparent) ray_ = refract(ray_, at.incident, at.shading_normal, normal_, refraction);
     if (choice.pdf > 0) ray_ = scattered(ray_, choice.direction, choice.pdf, camera_.spacing());
   }
 

@@ -52,11 +52,6 @@ Statistics PhotonKernel<T>::run(const RayGenerator<T>& camera, const PhotonRange
   };
   if (world_.numerics == Numerics::naive)
     return run_with.template operator()<Policy<T, Watcher, all_hit_effects, Numerics::naive>>();
-#ifdef RAYWALK_FEW_KERNELS  // as in trace/scene_kernel.cpp
-  constexpr bool few_kernels = true;
-#else
-  constexpr bool few_kernels = false;
-#endif
   if constexpr (!Watcher::watches && !few_kernels)
     if (!world_.filters()) return run_with.template operator()<Policy<T, Watcher, no_filtering>>();
   return run_with.template operator()<Policy<T, Watcher>>();

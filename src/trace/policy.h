@@ -43,6 +43,14 @@ inline constexpr HitEffects no_filtering{.filtering = false};
 inline constexpr HitEffects plain_filtering{
     .penumbra = false, .lobes = false, .nesting = false, .scattering = false, .sky = false};
 
+/// Where the program is to be small, as in a page, scenes other than the plainest take kernels that have everything:
+/// the same bits, a little later.
+#ifdef RAYWALK_FEW_KERNELS
+inline constexpr bool few_kernels = true;
+#else
+inline constexpr bool few_kernels = false;
+#endif
+
 /// Lights that a hit may have before the tracer asks between them whether it is cancelled: so few are soon done.
 inline constexpr std::size_t few_lights = 64;
 

@@ -31,6 +31,12 @@ struct RayDifferential {
   RayDerivative<T> x, y;
 };
 
+/// The derivatives of a unit normal by x and by y.
+template <class T>
+struct NormalDifferential {
+  Vec3<T> x{0}, y{0};
+};
+
 /// Of a ray from the eye, D = d / |d| where d = view + x right + y up (equation 8). `length`: of d; `right`: for y, up.
 template <class T>
 [[nodiscard, gnu::always_inline]] inline RayDerivative<T> from_eye(const Vec3<T>& D, T length, const Vec3<T>& right) {
@@ -73,6 +79,19 @@ template <class T>
   return {transfer(ray.x, D, t, N), transfer(ray.y, D, t, N)};
 }
 
+template <class T>
+[[nodiscard, gnu::always_inline]] inline RayDifferential<T> reflect(const RayDifferential<T>& ray, const Vec3<T>& D,
+                                                                    const Vec3<T>& N, const NormalDifferential<T>& dN) {
+  return {reflect(ray.x, D, N, dN.x), reflect(ray.y, D, N, dN.y)};
+}
+
+template <class T>
+[[nodiscard, gnu::always_inline]] inline RayDifferential<T> refract(const RayDifferential<T>& ray, const Vec3<T>& D,
+                                                                    const Vec3<T>& N, const NormalDifferential<T>& dN,
+                                                                    const Refraction<T>& at) {
+  return {refract(ray.x, D, N, dN.x, at), refract(ray.y, D, N, dN.y, at)};
+}
+
 /// Of a ray whose direction was drawn from a lobe, which the paper does not have: a sample of density `pdf` stands for
 /// a solid angle of 1 / pdf, n samples a pixel for 1 / (n pdf) each. So the derivatives of the direction are two sides
 /// of a square of that angle, about the direction; they are never narrower than those of the ray that was scattered.
@@ -99,12 +118,6 @@ template <class T, class Primitives, class Point>
   return {primitives.uv_derivative(primitive, point, part, time, ray.x.dP),
           primitives.uv_derivative(primitive, point, part, time, ray.y.dP)};
 }
-
-/// The derivatives of a unit normal by x and by y.
-template <class T>
-struct NormalDifferential {
-  Vec3<T> x{0}, y{0};
-};
 
 /// The same of the normal with which a hit is shaded, `shading_normal`: that of the surface, or an interpolated one, on
 /// whichever side. One that was bent so as to face the ray (consistent_shading_normal) counts as if it were not.

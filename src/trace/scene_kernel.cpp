@@ -4,13 +4,6 @@ namespace raywalk {
 
 namespace {
 
-/// Where the program is to be small, as in a page, other scenes than the plainest take the kernel that has everything.
-#ifdef RAYWALK_FEW_KERNELS
-constexpr bool few_kernels = true;
-#else
-constexpr bool few_kernels = false;
-#endif
-
 /// Runs a procedure, such as PathTracer, over a block. `own`: what it takes beside the world.
 template <template <class> class Procedure, class T, class Watcher, class... Own>
 Statistics run_procedure(const World<T>& world, const RayGenerator<T>& camera, const PixelBlock& block,

@@ -336,9 +336,7 @@ auto Tracer<Policy>::differential_after(const ShadingPoint& at, const TreeRay& r
       arrived, world_.accelerator.primitives(), at.departure.primitive, point, at.departure.part, ray.ray.time, N);
   const bool reflects = kind == RayKind::reflect;
   const RayDifferential<T> sharp =
-      reflects ? RayDifferential<T>{reflect(arrived.x, D, N, normal.x), reflect(arrived.y, D, N, normal.y)}
-               : RayDifferential<T>{refract(arrived.x, D, N, normal.x, at.refraction),
-                                    refract(arrived.y, D, N, normal.y, at.refraction)};
+      reflects ? reflect(arrived, D, N, normal) : refract(arrived, D, N, normal, at.refraction);
   const T rough = reflects ? at.surface->gloss : at.surface->translucency;
   return rough > 0 ? scattered(sharp, direction, uniform_cone_pdf(rough), camera_.spacing()) : sharp;
 }

@@ -225,7 +225,7 @@ mutant differentials_refract_towards_the_ray differentials trace/ray_differentia
 mutant differentials_eye_without_perspective differentials trace/ray_differential.h '(right - dot(D, right) * D) * (1 / length)' 'right * (1 / length)'
 mutant differentials_normal_on_one_side differentials trace/ray_differential.h 'dot(shading_normal, point.normal) < 0 ? T(-1) : T(1)' 'T(1)'
 mutant differentials_ball_of_radius_one differentials shape/sphere.h 'return along / sphere.radius;' 'return along;'
-mutant differentials_gradient_gets_longer differentials shape/quadric.h 'Vec3<T>((added - dot(added, normal) * normal) / size)' 'Vec3<T>(added / size)'
+mutant differentials_gradient_gets_longer differentials math/vec.h '(derivative - dot(derivative, unit) * unit) / size' 'derivative / size'
 mutant differentials_map_forgotten differentials shape/object_transform.h 'return derivative_of_unit(transform.to_world.normal(own.normal), transform.to_world.normal(turned));' 'return turned;'
 mutant differentials_corners_alike differentials accel/triangles.h 'bc.x * (normal(1) - normal(0)) + bc.y * (normal(2) - normal(0))' 'bc.x * (normal(1) - normal(0))'
 mutant checker_border_clockwise differentials trace/checker_filter.cpp 'return cross(p, q) < 0 ? -sum : sum;' 'return sum;'

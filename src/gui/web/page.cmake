@@ -5,15 +5,14 @@ set(page "${CMAKE_SOURCE_DIR}/src/gui/web")
 # either. The path tracer, photons, radiosity and the tracer in single precision are small rather than fast, too: they
 # take about half and two thirds as long again, and raywalk.html would be above its 2 MB otherwise.
 set(smallest accel/watched.cpp accel/accelerator_naive.cpp trace/kernel_naive.cpp trace/kernel_faulty.cpp
-  trace/kernel_filtering.cpp trace/kernel_float.cpp trace/scene_kernel.cpp trace/photon_kernel.cpp trace/photon_lights.cpp trace/photon_map.cpp
-  trace/radiosity_kernel.cpp trace/radiosity_pass.cpp trace/patch_cutter.cpp trace/patches.cpp trace/patch_elements.cpp
+  trace/kernel_filtering.cpp trace/kernel_float.cpp trace/scene_kernel.cpp trace/photon_kernel.cpp
+  trace/photon_lights.cpp trace/photon_map.cpp trace/radiosity_kernel.cpp trace/radiosity_pass.cpp trace/patch_cutter.cpp trace/patches.cpp trace/patch_elements.cpp
   trace/patch_light.cpp trace/beam_kernel.cpp trace/unfolded_plan.cpp trace/outlines.cpp
   trace/checker_filter.cpp trace/texture_pyramid.cpp trace/clear_sky.cpp trace/bodies.cpp trace/world.cpp
   accel/structures.cpp accel/wide_tree.cpp accel/primitives.cpp accel/search_record.cpp math/elementary/big_float.cpp)
 list(TRANSFORM smallest PREPEND "${CMAKE_SOURCE_DIR}/src/")
 set_source_files_properties(${smallest} PROPERTIES COMPILE_OPTIONS -Oz SKIP_PRECOMPILE_HEADERS ON)
-set_source_files_properties("${CMAKE_SOURCE_DIR}/src/trace/scene_kernel.cpp" "${CMAKE_SOURCE_DIR}/src/trace/photon_kernel.cpp"
-  PROPERTIES COMPILE_DEFINITIONS RAYWALK_FEW_KERNELS)
+target_compile_definitions(raywalk_trace PUBLIC RAYWALK_FEW_KERNELS)
 
 # Fonts, scenes, lessons and texts, as the installed program has them. Of the fonts only what is drawn: the ranges of
 # `glyphs` in gui/fonts.cpp. The hints of TrueType fonts are left out, for nothing follows them.
