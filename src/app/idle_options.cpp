@@ -19,7 +19,9 @@ bool may_draw(const Scene& scene, Integrator integrator) {
   const Effects effects = effects_of(scene, scene.render.samples);
   constexpr std::array drawn{Effect::antialiasing, Effect::gloss,          Effect::translucency,
                              Effect::penumbra,     Effect::depth_of_field, Effect::motion_blur};
-  return std::any_of(drawn.begin(), drawn.end(), [&](Effect effect) { return effects.used(effect); });
+  const auto uses = material_uses(scene);
+  return std::any_of(drawn.begin(), drawn.end(), [&](Effect effect) { return effects.used(effect); }) ||
+         std::any_of(uses.begin(), uses.end(), [](const MaterialUse& use) { return use.material->is_rough(); });
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include "io/pov_parts.h"
+#include "scene/metals.h"
 
 #include <fmt/format.h>
 
@@ -78,7 +79,8 @@ std::string gloss(const Material& material, PovLosses& losses) {
     const Rgbd both = material.reflection + material.transmission;
     text += fmt::format(" reflection {{ rgb 0, {} fresnel on }} conserve_energy", pov_colour(both));
   } else if (material.reflects()) {
-    text += fmt::format(" reflection {{ {} }}", pov_colour(material.reflection));
+    const Rgbd metal = material.is_metal() ? reflectance_at_right_angles(material.mirror) : Rgbd(1.0);
+    text += fmt::format(" reflection {{ {} }}", pov_colour(material.reflection * metal));
   }
   return text;
 }
@@ -91,6 +93,8 @@ Rgbd extinction(const Material& material) { return material.absorption + materia
 std::string pov_texture(const Material& material, const std::optional<FlatFrame>& frame, PovLosses& losses) {
   if (material.gloss > 0 || material.translucency > 0)
     losses.insert("gloss and translucency: mirrors and glass become sharp");
+  if (material.is_rough()) losses.insert("rough mirrors, which become sharp and lose their highlights");
+  if (material.is_metal()) losses.insert("how metals reflect more at flat angles: they reflect as at right angles");
   if (material.normal == ShadingNormal::fixed) losses.insert("fixed normals: surfaces are lit from both sides");
   if (material.texture) losses.insert("image textures");
   if (material.filters_checker())

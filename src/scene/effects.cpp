@@ -135,6 +135,16 @@ EffectUse filtering(const Scene& scene) {
                       : use_if(scene, &Material::filters_texture, "has its image filtered", "no pattern is filtered");
 }
 
+/// Without random numbers a rough mirror still has its highlights.
+EffectUse microfacets(const Scene& scene, Integrator integrator) {
+  if (!traits_of(integrator).is_recursive) return left_out(integrator, "follows no ray beyond the first hit");
+  if (!scene.render.switches.reflection) return {false, "none: reflection is switched off"};
+  const EffectUse metal = use_if(scene, &Material::is_metal, "is a mirror of metal", "");
+  return metal.used
+             ? metal
+             : use_if(scene, &Material::is_rough, "is a mirror of small mirrors", "no mirror is of metal or rough");
+}
+
 EffectUse shadows(const Scene& scene, Integrator integrator) {
   const Light* light = first_light(scene, [](const Light&) { return true; });
   if (light == nullptr && indirect_light(scene, integrator).used) {
@@ -153,7 +163,8 @@ Integrator integrator_of(const Scene& scene, int samples_per_pixel) {
   if (chosen != Integrator::automatic && !traits_of(chosen).is_flat) return chosen;
   const Integrator whole = Integrator::distributed;
   const bool calls = samples_per_pixel > 1 || gloss(scene, whole).used || translucency(scene, whole).used ||
-                     penumbra(scene, whole).used || depth_of_field(scene, whole).used || motion_blur(scene, whole).used;
+                     penumbra(scene, whole).used || depth_of_field(scene, whole).used ||
+                     motion_blur(scene, whole).used || first_object(scene, &Material::is_rough) != nullptr;
   return calls ? Integrator::distributed : Integrator::whitted;
 }
 
@@ -179,6 +190,7 @@ Effects effects_of(const Scene& scene, int samples_per_pixel) {
   effects[Effect::sky] = sky(scene);
   effects[Effect::scattering] = scattering(scene, integrator);
   effects[Effect::filtering] = filtering(scene);
+  effects[Effect::microfacets] = microfacets(scene, integrator);
   effects[Effect::textures] =
       use_if(scene, [](const Material& m) { return m.checker.has_value(); }, "is checkered", "");
   EffectUse& textures = effects[Effect::textures];

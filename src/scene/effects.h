@@ -26,6 +26,7 @@ enum class Effect {
   sky,
   scattering,
   filtering,
+  microfacets,
 };
 template <>
 inline constexpr Word<Effect> words_of<Effect>[] = {{Effect::shadows, "shadows"},
@@ -41,7 +42,8 @@ inline constexpr Word<Effect> words_of<Effect>[] = {{Effect::shadows, "shadows"}
                                                     {Effect::textures, "textures"},
                                                     {Effect::sky, "sky"},
                                                     {Effect::scattering, "scattering"},
-                                                    {Effect::filtering, "filtering"}};
+                                                    {Effect::filtering, "filtering"},
+                                                    {Effect::microfacets, "microfacets"}};
 inline constexpr int effect_count = static_cast<int>(std::size(words_of<Effect>));
 
 struct EffectUse {

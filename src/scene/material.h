@@ -69,6 +69,16 @@ template <>
 inline constexpr Word<ShadingNormal> words_of<ShadingNormal>[] = {{ShadingNormal::facing, "facing"},
                                                                   {ShadingNormal::fixed, "fixed"}};
 
+/// What kr is multiplied by: nothing, or the reflectance of a metal, which follows from its index of refraction
+/// (scene/metals.h).
+enum class MirrorKind { ideal, gold, copper, silver, aluminium };
+template <>
+inline constexpr Word<MirrorKind> words_of<MirrorKind>[] = {{MirrorKind::ideal, "ideal"},
+                                                            {MirrorKind::gold, "gold"},
+                                                            {MirrorKind::copper, "copper"},
+                                                            {MirrorKind::silver, "silver"},
+                                                            {MirrorKind::aluminium, "aluminium"}};
+
 /// How a surface reflects and transmits light (J. Blinn 1977 for the highlight, T. Whitted 1980 for the secondary
 /// rays). All reflectances are linear RGB, normally in 0..1.
 struct Material {
@@ -82,10 +92,13 @@ struct Material {
   bool dielectric = false;  ///< split kr + kt between the two by the exact Fresnel equations
   double gloss = 0;         ///< half angle in degrees, 0..90, of the cone about the mirror direction that kr gathers
   double translucency = 0;  ///< the same about the refracted direction, for kt; both uniform over the cone
-  Rgbd absorption{0.0};     ///< a: inside, the transmittance over a distance d is exp(-a d) (Beer); where kt > 0
-  Rgbd scattering{0.0};     ///< s: inside, paths go straight for a distance d with probability exp(-s d), then scatter
-  double anisotropy = 0;    ///< g: mean cosine of the angle by which they scatter, in -1..1 (Henyey-Greenstein)
-  double priority = 0;      ///< where transmitting bodies overlap, the one with the highest priority wins
+  MirrorKind mirror =
+      MirrorKind::ideal;  ///< kr is multiplied by what it reflects (Fresnel); only where nothing transmits
+  double roughness = 0;   ///< alpha, 0..1, of the small mirrors that reflect kr (GGX); the same, and without gloss
+  Rgbd absorption{0.0};   ///< a: inside, the transmittance over a distance d is exp(-a d) (Beer); where kt > 0
+  Rgbd scattering{0.0};   ///< s: inside, paths go straight for a distance d with probability exp(-s d), then scatter
+  double anisotropy = 0;  ///< g: mean cosine of the angle by which they scatter, in -1..1 (Henyey-Greenstein)
+  double priority = 0;    ///< where transmitting bodies overlap, the one with the highest priority wins
   ShadowKind shadow = ShadowKind::opaque;
   ShadingNormal normal = ShadingNormal::facing;  ///< fixed only where nothing transmits
   Rgbd emission{0.0};                            ///< radiance that the surface emits
@@ -96,6 +109,8 @@ struct Material {
   [[nodiscard]] bool reflects() const { return !is_black(reflection); }
   [[nodiscard]] bool transmits() const { return !is_black(transmission); }
   [[nodiscard]] bool is_glossy() const { return gloss > 0 && (reflects() || transmits()); }
+  [[nodiscard]] bool is_rough() const { return roughness > 0 && reflects(); }
+  [[nodiscard]] bool is_metal() const { return mirror != MirrorKind::ideal && reflects(); }
   [[nodiscard]] bool is_translucent() const { return translucency > 0 && transmits(); }
   [[nodiscard]] bool scatters_inside() const { return transmits() && !is_black(scattering); }
   [[nodiscard]] bool emits() const { return !is_black(emission); }

@@ -353,6 +353,17 @@ void describe(Fields& f, Material& material) {
         "Whether kr + kt is split between the two rays as in real glass (Fresnel's equations).");
   f.key("gloss", material.gloss, lobe_angle, "Half the angle of the cone that a rough mirror gathers; 0 is sharp.");
   f.key("translucency", material.translucency, lobe_angle, "The same for what shines through.");
+  f.key("mirror", material.mirror, mirror_kinds,
+        "What reflects: an ideal mirror, or a metal, whose reflectance at each angle multiplies kr (Fresnel's "
+        "equations).");
+  f.check("mirror", material.mirror == MirrorKind::ideal || !material.transmits(),
+          "a metal does not go with transmission (expected \"ideal\")", "metals let no light through");
+  f.key("roughness", material.roughness, roughness,
+        "alpha: how steep the small mirrors are that a rough one consists of (GGX); 0 is smooth.");
+  f.check("roughness", material.roughness == 0 || !material.transmits(),
+          "roughness does not go with transmission (expected 0)", "for rough glass there are gloss and translucency");
+  f.check("roughness", material.roughness == 0 || material.gloss == 0, "roughness does not go with gloss (expected 0)",
+          "both say how a rough mirror spreads light: choose one");
   f.key("absorption", material.absorption, light_colour,
         "Of the light inside, exp(-absorption) is left after each unit of length.");
   f.key("scattering", material.scattering, light_colour,

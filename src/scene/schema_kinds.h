@@ -92,6 +92,11 @@ inline constexpr Number lobe_angle{
     .hint = "0 is sharp, 5 a brushed metal, 20 very rough",
     .unit = degrees,
 };
+inline constexpr Number roughness{
+    .words = "a number from 0 to 1",
+    .high = 1,
+    .hint = "0 is smooth, 0.1 polished metal, 0.5 cast metal",
+};
 inline constexpr Number sun_elevation{
     .words = "an angle in degrees from 0 to 90",
     .high = 90,
@@ -155,6 +160,7 @@ inline constexpr Choice<ShadowKind> shadow_kinds;
 inline constexpr Choice<ShadingNormal> shading_normals;
 inline constexpr Choice<CheckerFilter> checker_filters;
 inline constexpr Choice<TextureFilter> texture_filters;
+inline constexpr Choice<MirrorKind> mirror_kinds;
 inline constexpr Choice<Encoding> encodings;
 inline constexpr Choice<Integrator> integrators;
 /// What each of them follows: "How light is followed: shadows only (cast); ...".

@@ -110,6 +110,9 @@ std::optional<Scene> without(const Scene& scene, Effect effect) {
         if (m.texture) m.texture->filter = TextureFilter::none;
       });
       return changed;
+    case Effect::microfacets:
+      change_materials(changed, [](Material& m) { m.mirror = MirrorKind::ideal, m.roughness = 0; });
+      return changed;
   }
   return std::nullopt;
 }

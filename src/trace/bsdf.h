@@ -3,6 +3,7 @@
 
 #include "math/sampling.h"
 #include "trace/event.h"
+#include "trace/microfacets.h"
 #include "trace/optics.h"
 
 #include <array>
@@ -34,7 +35,7 @@ template <class T>
 
 /// The BSDF of a surface at a point, for one incoming ray. Whitted's terms as a scattering function f, times the
 /// cosine: kd / pi cos, the highlight ks / pi (n.h)^s as the tracer has it for lights, kr' and kt' in one direction
-/// each or uniformly over a cone, whose part beyond the surface is folded back.
+/// each or uniformly over a cone, whose part beyond the surface is folded back; or kr by small mirrors.
 template <class T>
 struct Bsdf {
   Vec3<T> incident;          ///< unit, towards the surface
@@ -44,6 +45,7 @@ struct Bsdf {
   T shininess = 0;
   Vec3<T> mirror_axis{0}, transparent_axis{0};  ///< unit
   T mirror_width = 0, transparent_width = 0;    ///< 1 - cos of the cones' half angles; 0: sharp
+  const Microsurface<T>* facets = nullptr;      ///< the small mirrors that reflect `mirror`, if any
 
   struct BsdfValue {
     Rgb<T> value{0};  ///< f times the cosine
@@ -75,13 +77,20 @@ struct Bsdf {
 
   /// The sum of all lobes that are not sharp. `drawn`: the lobe that the direction was sampled from, if it was.
   [[nodiscard]] BsdfValue evaluate(const Vec3<T>& direction, std::optional<Lobe> drawn = {}) const;
+  /// What a light's strength is multiplied by, as kd cos and ks (n.h)^s are; `direction`: unit, to the light. Small
+  /// mirrors show lights that have no extent.
+  [[nodiscard]] Rgb<T> highlight_of_facets(const Vec3<T>& direction) const {
+    if (facets == nullptr) return Rgb<T>(0);
+    return pi_v<T> * mirror * facets->value(facets->facets->evaluate(shading_normal, -incident, direction));
+  }
   [[nodiscard]] Lobe sample_lobe(T u) const;
   /// Weight 0 when the sampled direction is below the horizon.
   [[nodiscard]] BsdfSample sample(Lobe lobe, const Vec2<T>& u) const;
 
  private:
   [[nodiscard]] bool sharp(Lobe lobe) const {
-    return (lobe == Lobe::mirror && mirror_width == 0) || (lobe == Lobe::transparent && transparent_width == 0);
+    return (lobe == Lobe::mirror && mirror_width == 0 && facets == nullptr) ||
+           (lobe == Lobe::transparent && transparent_width == 0);
   }
   [[nodiscard]] bool has(Lobe lobe) const { return probability(lobe) > 0; }
   /// `direction` mirrored in the surface.
@@ -145,7 +154,11 @@ auto Bsdf<T>::evaluate(const Vec3<T>& direction, std::optional<Lobe> drawn) cons
         }
       }
     }
-    if (has(Lobe::mirror) && !sharp(Lobe::mirror)) {
+    if (has(Lobe::mirror) && facets != nullptr) {
+      const auto by_facets = facets->facets->evaluate(shading_normal, -incident, direction);
+      at.value += mirror * facets->value(by_facets);
+      at.pdf += probability(Lobe::mirror) * by_facets.pdf;
+    } else if (has(Lobe::mirror) && !sharp(Lobe::mirror)) {
       const T pdf = cone_pdf(mirror_axis, mirror_width, direction, drawn == Lobe::mirror);
       at.value += mirror * pdf;
       at.pdf += probability(Lobe::mirror) * pdf;
@@ -184,6 +197,10 @@ auto Bsdf<T>::sample(Lobe lobe, const Vec2<T>& u) const -> BsdfSample {
     case Lobe::mirror:
       choice.direction = mirror_axis;
       if (sharp(lobe)) break;
+      if (facets != nullptr) {
+        choice.direction = facets->facets->sample(shading_normal, -incident, u);
+        break;
+      }
       choice.direction = renormalize(Basis<T>(mirror_axis).to_world(sample_uniform_cone(u, mirror_width)));
       if (!(dot(choice.direction, shading_normal) > 0)) choice.direction = folded(choice.direction);
       break;

@@ -95,7 +95,8 @@ template <class Policy>
 int PhotonTracer<Policy>::light_count_at(const EyeRay& ray, const Vertex& at) const {
   if (ray.gathers) return 0;
   const bool diffuse = !is_black(at.bsdf.diffuse);
-  const int lamps = diffuse || !is_black(at.specular) ? static_cast<int>(world_.lights.size()) : 0;
+  const int lamps =
+      diffuse || !is_black(at.specular) || at.bsdf.facets != nullptr ? static_cast<int>(world_.lights.size()) : 0;
   if (!diffuse) return lamps;
   return lamps + (lights_.has_emitters() ? 1 : 0) + (lights_.has_environment() ? 1 : 0);
 }
@@ -170,6 +171,7 @@ std::optional<Ending> PhotonTracer<Policy>::aim_at_light(LightSample& light_samp
     const T n_h = std::max(dot(bsdf.shading_normal, h) / length(h), T(0));
     answers += at.specular * power(n_h, bsdf.shininess);
   }
+  if constexpr (Policy::effects.microfacets) answers += bsdf.highlight_of_facets(l);
   light_sample.contribution = at.throughput * radiance * answers;
   return std::nullopt;
 }
@@ -321,7 +323,7 @@ auto PhotonTracer<Policy>::choose_direction(const EyeRay& ray, const Vertex& at)
     const Lobe lobe = bsdf.sample_lobe(u);
     Vec2<T> unit(0);
     if (bsdf.needs_direction(lobe)) {
-      const Effect effect = detail::effect_of(lobe);
+      const Effect effect = detail::effect_of(lobe, bsdf.facets != nullptr);
       unit = draw_pair<T>(camera_.sampler(), key_at(at.length, detail::PhotonDimension::direction, effect),
                           camera_.strata());
       statistics_.drew(effect, 2);

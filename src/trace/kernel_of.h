@@ -48,9 +48,9 @@ Statistics run_kernel(const World<T>& world, const RayGenerator<T>& camera, cons
 /// Each set that a kernel is compiled for. There is no refraction without reflection (total internal reflection), nor
 /// lobes without it, nor nesting without refraction: seven sets; each with or without textures, and with shadows,
 /// shadows and penumbras, or neither: forty-two. One more leaves out shadow rays; one has a sky, which none of those
-/// has, nor scattering, which is for paths. Nesting is a set of its own: where nothing nests, a mere test at each hit
-/// would cost more than 0.1%. So would one for differentials: what filters has kernels apart, beside which those here
-/// stay as the compiler makes them without.
+/// has, nor scattering, which is for paths; one has metals and small mirrors too. Nesting is a set of its own: where
+/// nothing nests, a mere test at each hit would cost more than 0.1%. So would one for differentials: what filters has
+/// kernels apart, beside which those here stay as the compiler makes them without.
 inline constexpr auto kernel_sets = [] {
   constexpr bool no = false, yes = true;
   struct Scattering {
@@ -64,13 +64,15 @@ inline constexpr auto kernel_sets = [] {
                                                    {yes, yes, no, yes},
                                                    {yes, yes, yes, yes}}};
   constexpr std::array<std::pair<bool, bool>, 3> lights{{{no, no}, {yes, no}, {yes, yes}}};  // shadows, penumbras
-  std::array<HitEffects, 2 * scatterings.size() * lights.size() + 2> sets{};
+  std::array<HitEffects, 2 * scatterings.size() * lights.size() + 3> sets{};
   std::size_t at = 0;
   for (const Scattering& to : scatterings)
     for (const auto& [shadows, penumbra] : lights)
       for (const bool textures : {no, yes})
-        sets[at++] = {to.reflection, to.refraction, textures, penumbra, to.lobes, shadows, to.nesting, yes, no, no, no};
+        sets[at++] = {to.reflection, to.refraction, textures, penumbra, to.lobes, shadows,
+                      to.nesting,    yes,           no,       no,       no,       no};
   sets[at++] = no_occlusion;  // for looking, and need not be fast
+  sets[at++] = no_filtering_nor_facets;
   sets[at] = no_filtering;
   return sets;
 }();
@@ -79,8 +81,10 @@ inline constexpr auto kernel_sets = [] {
 [[nodiscard]] constexpr std::size_t kernel_set_for(HitEffects set) {
   if (!set.occlusion) {
     set = no_occlusion;
-  } else if (set.sky || set.scattering) {
+  } else if (set.microfacets) {
     set = no_filtering;
+  } else if (set.sky || set.scattering) {
+    set = no_filtering_nor_facets;
   } else {
     set.filtering = false;
   }

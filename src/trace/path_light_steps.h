@@ -67,7 +67,8 @@ auto PathTracer<Policy>::form_shadow_ray(const PathRay& ray, const Vertex& at, i
   return light_sample;
 }
 
-/// A light contributes as in the tracer: its strength times kd cos and ks (n.h)^s. Inside of a medium, the phase
+/// A light contributes as in the tracer: its strength times kd cos and ks (n.h)^s, and what
+/// small mirrors have of it. Inside of a medium, the phase
 /// function is in the place of kd / pi cos.
 template <class Policy>
 std::optional<Ending> PathTracer<Policy>::aim_at_light(LightSample& light_sample, const Vertex& at) {
@@ -100,6 +101,7 @@ std::optional<Ending> PathTracer<Policy>::aim_at_light(LightSample& light_sample
     const T n_h = std::max(dot(bsdf.shading_normal, h) / length(h), T(0));
     answers += at.specular * power(n_h, bsdf.shininess);
   }
+  if constexpr (Policy::effects.microfacets) answers += bsdf.highlight_of_facets(l);
   light_sample.contribution = at.throughput * radiance * answers;
   return std::nullopt;
 }

@@ -53,7 +53,8 @@ Statistics PhotonKernel<T>::run(const RayGenerator<T>& camera, const PhotonRange
   if (world_.numerics == Numerics::naive)
     return run_with.template operator()<Policy<T, Watcher, all_hit_effects, Numerics::naive>>();
   if constexpr (!Watcher::watches && !few_kernels)
-    if (!world_.filters()) return run_with.template operator()<Policy<T, Watcher, no_filtering>>();
+    if (!world_.filters() && world_.microsurfaces.empty())
+      return run_with.template operator()<Policy<T, Watcher, no_filtering_nor_facets>>();
   return run_with.template operator()<Policy<T, Watcher>>();
 }
 

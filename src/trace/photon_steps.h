@@ -119,15 +119,18 @@ template <class Policy>
 auto PhotonTracer<Policy>::adjoint(const Vertex& at, Lobe lobe, const Vec3<T>& direction) const -> T {
   const Vec3<T>&geometric = at.bsdf.geometric_normal, &shading = at.bsdf.shading_normal;
   const T in = std::abs(dot(at.bsdf.incident, geometric)), out = std::abs(dot(direction, geometric));
+  // Of a scattering function that is the same both ways, about the shading normal.
+  const auto both_ways = [&] {
+    if (shading == geometric) return T(1);
+    return std::abs(dot(at.bsdf.incident, shading)) * out / (in * std::abs(dot(direction, shading)));
+  };
   switch (lobe) {
-    case Lobe::diffuse: {
-      const bool smooth = shading != geometric;
-      if (!smooth) return 1;
-      return std::abs(dot(at.bsdf.incident, shading)) * out / (in * std::abs(dot(direction, shading)));
-    }
+    case Lobe::diffuse:
+      return both_ways();
     case Lobe::highlight:
       return out / in;
     case Lobe::mirror:
+      if (at.bsdf.facets != nullptr) return both_ways();
       return at.bsdf.mirror_width > 0 ? out / in : T(1);
     case Lobe::transparent: {
       const T ratio = at.refraction.n1 / at.refraction.n2;
@@ -154,7 +157,7 @@ auto PhotonTracer<Policy>::choose_photon_direction(const PhotonRay& photon, cons
     if (at.bsdf.needs_direction(lobe)) {
       unit.x = random_unit<T>(key_at(at.length, detail::PhotonDimension::direction));
       unit.y = random_unit<T>(key_at(at.length, detail::PhotonDimension::direction + 1));
-      statistics_.drew(detail::effect_of(lobe), 2);
+      statistics_.drew(detail::effect_of(lobe, at.bsdf.facets != nullptr), 2);
     }
     choice = sample_alone(at.bsdf, lobe, unit);
     choice->weight *= adjoint(at, lobe, choice->direction) / at.bsdf.probability(lobe);

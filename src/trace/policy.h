@@ -26,22 +26,24 @@ class Observer {
 /// The effects whose code is inside the hit loop. A kernel without an effect contains none of its code.
 struct HitEffects {
   bool reflection = true, refraction = true, textures = true;
-  bool penumbra = true;    ///< area lights, or many lights
-  bool lobes = true;       ///< gloss and translucency
-  bool shadows = true;     ///< lights at all, occluded or not
-  bool nesting = true;     ///< transmitting bodies may overlap, or contain the eye
-  bool occlusion = true;   ///< shadow rays are traced; else every light in front of a surface reaches it
-  bool scattering = true;  ///< paths scatter inside of bodies
-  bool sky = true;         ///< what rays bring back that leave the scene depends on their direction
-  bool filtering = true;   ///< rays carry differentials, by which patterns are filtered
+  bool penumbra = true;     ///< area lights, or many lights
+  bool lobes = true;        ///< gloss and translucency
+  bool shadows = true;      ///< lights at all, occluded or not
+  bool nesting = true;      ///< transmitting bodies may overlap, or contain the eye
+  bool occlusion = true;    ///< shadow rays are traced; else every light in front of a surface reaches it
+  bool scattering = true;   ///< paths scatter inside of bodies
+  bool sky = true;          ///< what rays bring back that leave the scene depends on their direction
+  bool filtering = true;    ///< rays carry differentials, by which patterns are filtered
+  bool microfacets = true;  ///< mirrors of metal, and of small mirrors
   friend bool operator==(const HitEffects&, const HitEffects&) = default;
 };
 inline constexpr HitEffects all_hit_effects{};
 inline constexpr HitEffects no_occlusion{.occlusion = false};
 inline constexpr HitEffects no_filtering{.filtering = false};
+inline constexpr HitEffects no_filtering_nor_facets{.filtering = false, .microfacets = false};
 /// With sharp rays and sharp shadows alone: what most scenes have that filter.
 inline constexpr HitEffects plain_filtering{
-    .penumbra = false, .lobes = false, .nesting = false, .scattering = false, .sky = false};
+    .penumbra = false, .lobes = false, .nesting = false, .scattering = false, .sky = false, .microfacets = false};
 
 /// Where the program is to be small, as in a page, scenes other than the plainest take kernels that have everything:
 /// the same bits, a little later.
@@ -66,7 +68,8 @@ inline constexpr std::size_t few_lights = 64;
           true,
           effects.used(Effect::scattering),
           effects.used(Effect::sky),
-          effects.used(Effect::filtering)};
+          effects.used(Effect::filtering),
+          effects.used(Effect::microfacets)};
 }
 
 /// Everything about the tracer that is fixed when it is compiled.

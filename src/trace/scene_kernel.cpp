@@ -13,17 +13,19 @@ Statistics run_procedure(const World<T>& world, const RayGenerator<T>& camera, c
     procedure.main_algorithm(block, put);
     return procedure.statistics();
   };
-  [[maybe_unused]] constexpr HitEffects clear{.scattering = false, .filtering = false},
-      no_sky{.scattering = false, .sky = false, .filtering = false},
-      neither{.nesting = false, .scattering = false, .sky = false, .filtering = false};
+  [[maybe_unused]] constexpr HitEffects clear{.scattering = false, .filtering = false, .microfacets = false},
+      no_sky{.scattering = false, .sky = false, .filtering = false, .microfacets = false},
+      neither{.nesting = false, .scattering = false, .sky = false, .filtering = false, .microfacets = false};
   if (world.numerics == Numerics::naive)
     return run_with.template operator()<Policy<T, Watcher, all_hit_effects, Numerics::naive>>();
   if constexpr (!Watcher::watches) {
     const bool filters = world.filters(), scatters = world.effects.used(Effect::scattering);
-    if (!filters && !scatters && !world.sky && world.bodies.empty())
+    const bool facets = !world.microsurfaces.empty();
+    if (!filters && !facets && !scatters && !world.sky && world.bodies.empty())
       return run_with.template operator()<Policy<T, Watcher, neither>>();
     if constexpr (!few_kernels) {
-      if (!filters && scatters) return run_with.template operator()<Policy<T, Watcher, no_filtering>>();
+      if (!filters && facets) return run_with.template operator()<Policy<T, Watcher, no_filtering>>();
+      if (!filters && scatters) return run_with.template operator()<Policy<T, Watcher, no_filtering_nor_facets>>();
       if (!filters && !world.sky) return run_with.template operator()<Policy<T, Watcher, no_sky>>();
       if (!filters) return run_with.template operator()<Policy<T, Watcher, clear>>();
     }

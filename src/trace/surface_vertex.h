@@ -14,7 +14,7 @@ namespace raywalk {
 namespace detail {
 
 /// The effect that a lobe's direction is drawn for.
-[[nodiscard]] constexpr Effect effect_of(Lobe lobe) {
+[[nodiscard]] constexpr Effect effect_of(Lobe lobe, bool by_facets) {
   switch (lobe) {
     case Lobe::diffuse:
     case Lobe::highlight:
@@ -22,7 +22,7 @@ namespace detail {
     case Lobe::phase:
       return Effect::scattering;
     case Lobe::mirror:
-      return Effect::gloss;
+      return by_facets ? Effect::microfacets : Effect::gloss;
     case Lobe::transparent:
       return Effect::translucency;
   }
@@ -139,6 +139,14 @@ SurfaceVertex<T> prepare_vertex(const World<T>& world, [[maybe_unused]] Nested& 
   if (!is_black(bsdf.mirror)) {
     bsdf.mirror_axis = renormalize(reflect(ray.ray.direction, bsdf.shading_normal));
     bsdf.mirror_width = surface.gloss;
+    if constexpr (Policy::effects.microfacets) {
+      if (const Microsurface<T>* own = world.microsurface(surface)) {
+        if (own->facets && world.draws)
+          bsdf.facets = own;
+        else
+          bsdf.mirror *= own->reflectance(std::clamp(-dot(ray.ray.direction, bsdf.shading_normal), T(0), T(1)));
+      }
+    }
   }
   bsdf.prepare(at.throughput);
   return at;

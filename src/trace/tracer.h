@@ -119,12 +119,14 @@ class Tracer {
   using Nearest = std::optional<Hit<T>>;
   /// The hit, prepared for SHADE: position, normals and the weights that "If reflective" and "If transparent" test.
   struct ShadingPoint;
+  /// Of small mirrors one is chosen at random, whose weight the reflect ray then has.
+  using ShadedPoint = std::conditional_t<Policy::effects.microfacets, ShadingPoint, const ShadingPoint>;
   /// The sum over all lights; each one's term only when observed.
   struct DirectLighting;
 
   /// SHADE (DEPTH, RTNSHADE): the light that leaves the hit against the ray's direction.
   Rgb<T> shade(int depth, const TreeRay& ray, const Hit<T>& hit) {
-    const ShadingPoint at = prepare(ray, hit);
+    ShadedPoint at = prepare(ray, hit);
     DirectLighting direct;
     if constexpr (Policy::effects.shadows) {
       for (const Light& light : world_.lights) {
@@ -182,7 +184,7 @@ class Tracer {
   TreeRay form_primary_ray(const Pixel& pixel);
   std::optional<Shadow> form_shadow_ray(int depth, const ShadingPoint& at, const TreeRay& ray, const Light& light,
                                         int sample);
-  std::optional<TreeRay> form_reflect_ray(int depth, const ShadingPoint& at, const TreeRay& ray);
+  std::optional<TreeRay> form_reflect_ray(int depth, ShadedPoint& at, const TreeRay& ray);
   std::optional<TreeRay> form_refract_ray(int depth, const ShadingPoint& at, const TreeRay& ray);
   template <class Draw>
   std::optional<TreeRay> form_secondary_ray(Line line, int depth, const ShadingPoint& at, const TreeRay& parent,
@@ -211,6 +213,12 @@ class Tracer {
   Vec3<T> light_point(const ShadingPoint& at, const TreeRay& ray, const Light& light, int sample);
   Vec3<T> sample_cone(const TreeRay& ray, const Vec3<T>& direction, T one_minus_cos, const Vec3<T>& facing_normal,
                       Effect effect);
+  /// Whether the reflect ray is drawn at random from small mirrors.
+  [[nodiscard]] bool draws_facet(const ShadingPoint& at, RayKind kind) const;
+  Vec3<T> sample_facet(ShadedPoint& at, const TreeRay& ray);
+  /// Of small mirrors, for light from a unit direction; 0 of others.
+  [[nodiscard]] static typename Microfacets<T>::Value evaluate_facets(const ShadingPoint& at, const TreeRay& ray,
+                                                                      const Vec3<T>& to_light);
   bool decide_intersected(const Nearest& nearest);
   bool decide_reflective(int depth, const ShadingPoint& at);
   bool decide_transparent(int depth, const ShadingPoint& at);

@@ -87,4 +87,33 @@ auto Tracer<Policy>::sample_cone(const TreeRay& ray, const Vec3<T>& direction, T
   return direction;
 }
 
+template <class Policy>
+bool Tracer<Policy>::draws_facet(const ShadingPoint& at, RayKind kind) const {
+  return kind == RayKind::reflect && world_.draws && at.mirror.microsurface && at.mirror.microsurface->facets;
+}
+
+template <class Policy>
+auto Tracer<Policy>::evaluate_facets(const ShadingPoint& at, const TreeRay& ray, const Vec3<T>& to_light) ->
+    typename Microfacets<T>::Value {
+  const Microsurface<T>& own = *at.mirror.microsurface;
+  if (!own.facets || !(dot(at.geometric_normal(), to_light) > 0)) return {};
+  return own.facets->evaluate(at.shading_normal, -ray.ray.direction, to_light);
+}
+
+/// A direction to which one of the small mirrors reflects, or light that several have. Sets the weight of the reflect
+/// ray, which is 0 where it would go into the surface.
+template <class Policy>
+auto Tracer<Policy>::sample_facet(ShadedPoint& at, const TreeRay& ray) -> Vec3<T> {
+  const Microsurface<T>& own = *at.mirror.microsurface;
+  RandomKey key = key_;
+  key.effect = static_cast<std::uint32_t>(Effect::microfacets);
+  key.path = ray.branch.path;
+  const Vec2<T> unit = draw_pair<T>(camera_.sampler(), key, camera_.strata());
+  statistics_.drew(Effect::microfacets, 2);
+  const Vec3<T> direction = own.facets->sample(at.shading_normal, -ray.ray.direction, unit);
+  const auto value = evaluate_facets(at, ray, direction);
+  at.weights->reflection = value.pdf > 0 ? at.surface->reflection * own.value(value) * (1 / value.pdf) : Rgb<T>(0);
+  return direction;
+}
+
 }  // namespace raywalk

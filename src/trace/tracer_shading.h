@@ -22,6 +22,10 @@ struct Tracer<Policy>::ShadingPoint {
   struct Weights {
     Rgb<T> reflection, transmission;
   };
+  /// What a mirror consists of that is of metal or rough.
+  struct Mirror {
+    const Microsurface<T>* microsurface = nullptr;
+  };
   /// The factor of a checker or texture on the surface's colours.
   struct Tint {
     Rgb<T> colour{1};
@@ -58,6 +62,7 @@ struct Tracer<Policy>::ShadingPoint {
   std::optional<Rgb<T>> transmittance;  ///< of the absorbing object that the ray passed through
   [[no_unique_address]] Only<Policy::effects.textures, Tint> tint{};
   [[no_unique_address]] Only<Policy::effects.filtering, Neighbours> neighbours{};
+  [[no_unique_address]] Only<Policy::effects.microfacets, Mirror> mirror{};
   [[no_unique_address]] Only<Policy::effects.penumbra, RandomPairs> light_pairs{};  ///< sample points on lights, where
                                                                                     ///< drawn
 
@@ -141,6 +146,13 @@ inline auto Tracer<Policy>::prepare(const TreeRay& ray, const Hit<T>& hit) -> Sh
         const T reflected = at.refraction.fresnel();
         at.weights = {reflected * both, (1 - reflected) * both};
       }
+    }
+  }
+  if constexpr (Policy::effects.microfacets) {
+    at.mirror.microsurface = world_.microsurface(surface);
+    if (at.mirror.microsurface) {
+      const T cos = std::clamp(-dot(ray.ray.direction, at.shading_normal), T(0), T(1));
+      at.weights = {at.mirror.microsurface->reflectance(cos) * surface.reflection, surface.transmission};
     }
   }
   return at;

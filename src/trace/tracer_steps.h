@@ -229,6 +229,11 @@ inline void Tracer<Policy>::add_light(DirectLighting& direct, const ShadingPoint
     specular =
         radiance * at.surface->specular * power_of_cosine(dot(at.shading_normal, h), dot(h, h), at.surface->shininess);
   }
+  if constexpr (Policy::effects.microfacets) {
+    if (at.mirror.microsurface)
+      specular +=
+          pi_v<T> * radiance * at.surface->reflection * at.mirror.microsurface->value(evaluate_facets(at, ray, l));
+  }
   direct.add(light, radiance * at.diffuse() * n_l, specular);
 }
 
@@ -253,13 +258,15 @@ bool Tracer<Policy>::decide_transparent(int depth, const ShadingPoint& at) {
 }
 
 template <class Policy>
-auto Tracer<Policy>::form_reflect_ray(int depth, const ShadingPoint& at, const TreeRay& ray) -> std::optional<TreeRay> {
+auto Tracer<Policy>::form_reflect_ray(int depth, ShadedPoint& at, const TreeRay& ray) -> std::optional<TreeRay> {
   Vec3<T> direction = renormalize(reflect(ray.ray.direction, at.shading_normal));
   inject(Fault::reflection_flipped, [&] {
     const Vec3<T>& incident = ray.ray.direction;
     direction = normalize(incident + 2 * dot(incident, at.shading_normal) * at.shading_normal);
   });
   return form_secondary_ray(Line::form_reflect_ray, depth, at, ray, RayKind::reflect, direction, at.reflection(), [&] {
+    if constexpr (Policy::effects.microfacets)
+      if (draws_facet(at, RayKind::reflect)) return sample_facet(at, ray);
     return sample_cone(ray, direction, at.surface->gloss, at.geometric_normal(), Effect::gloss);
   });
 }
@@ -295,16 +302,26 @@ template <class Draw>
 inline auto Tracer<Policy>::form_secondary_ray(Line line, int depth, const ShadingPoint& at, const TreeRay& parent,
                                                RayKind kind, const Vec3<T>& sharp, const Rgb<T>& weight,
                                                Draw draw_direction) -> std::optional<TreeRay> {
-  const Rgb<T> throughput = (at.transmittance ? parent.throughput * *at.transmittance : parent.throughput) * weight;
+  const auto weighed = [&] {
+    return (at.transmittance ? parent.throughput * *at.transmittance : parent.throughput) * weight;
+  };
+  Rgb<T> throughput = weighed();
   const bool too_deep = depth + 1 > world_.depth || runs_away(parent);
-  if (too_deep || max_component(throughput) < world_.threshold) {
-    const Ending why = too_deep ? Ending::depth : Ending::threshold;
+  const auto not_formed = [&](Ending why) {
     ++statistics_.ends(why);
     note(line, depth,
          [&] { return RayNotFormed{parent.number, kind, why, Vec3d(at.position), Vec3d(sharp), Rgbd(throughput)}; });
     return std::nullopt;
-  }
+  };
+  if (too_deep || max_component(throughput) < world_.threshold)
+    return not_formed(too_deep ? Ending::depth : Ending::threshold);
   const Vec3<T> direction = draw_direction();
+  if constexpr (Policy::effects.microfacets) {
+    if (draws_facet(at, kind)) {
+      throughput = weighed();
+      if (is_black(throughput)) return not_formed(Ending::threshold);  // into the surface
+    }
+  }
   TreeRay formed(spawn_ray<Ray>(world_, at.position, at.geometric_normal(), at.departure, direction, parent.ray.time),
                  kind, throughput, rays_formed_++);
   inject(Fault::epsilon_wrong_side, [&] {
@@ -337,6 +354,9 @@ auto Tracer<Policy>::differential_after(const ShadingPoint& at, const TreeRay& r
   const bool reflects = kind == RayKind::reflect;
   const RayDifferential<T> sharp =
       reflects ? reflect(arrived, D, N, normal) : refract(arrived, D, N, normal, at.refraction);
+  if constexpr (Policy::effects.microfacets)
+    if (draws_facet(at, kind))
+      return scattered(sharp, direction, evaluate_facets(at, ray, direction).pdf, camera_.spacing());
   const T rough = reflects ? at.surface->gloss : at.surface->translucency;
   return rough > 0 ? scattered(sharp, direction, uniform_cone_pdf(rough), camera_.spacing()) : sharp;
 }

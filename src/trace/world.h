@@ -5,6 +5,7 @@
 #include "scene/scene.h"
 #include "trace/bodies.h"
 #include "trace/fault.h"
+#include "trace/microfacets.h"
 #include "trace/sky_light.h"
 #include "trace/texture.h"
 #include "trace/texture_pyramid.h"
@@ -177,7 +178,8 @@ struct World {
   std::vector<std::string> leaf_names;
   /// By surface; empty where the scene filters nothing. Beside the surfaces, whose size each hit pays for.
   std::vector<PatternFilter> pattern_filters;
-  Accelerator<T> accelerator;  ///< constructed last: building it fills the lists above
+  std::vector<Microsurface<T>> microsurfaces;  ///< the same; empty where no mirror is of metal or rough
+  Accelerator<T> accelerator;                  ///< constructed last: building it fills the lists above
   std::optional<Fault> fault;
   Numerics numerics;
   bool occludes;  ///< shadow rays are traced
@@ -194,6 +196,12 @@ struct World {
   /// Whether rays need differentials.
   [[nodiscard]] bool filters() const { return !pattern_filters.empty(); }
   [[nodiscard]] bool filters(const Surface& its) const { return filters() && pattern_filter(its).any(); }
+  /// Of one of the surfaces; null where its mirror is neither of metal nor rough.
+  [[nodiscard]] const Microsurface<T>* microsurface(const Surface& its) const {
+    if (microsurfaces.empty()) return nullptr;
+    const Microsurface<T>& found = microsurfaces[static_cast<std::size_t>(&its - surfaces.data())];
+    return found.metal || found.facets ? &found : nullptr;
+  }
   /// Of one of the surfaces.
   [[nodiscard]] const PatternFilter& pattern_filter(const Surface& its) const {
     return pattern_filters[static_cast<std::size_t>(&its - surfaces.data())];

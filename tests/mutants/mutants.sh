@@ -231,3 +231,14 @@ mutant differentials_corners_alike differentials accel/triangles.h 'bc.x * (norm
 mutant checker_border_clockwise differentials trace/checker_filter.cpp 'return cross(p, q) < 0 ? -sum : sum;' 'return sum;'
 mutant checker_integral_of_another_row differentials trace/checker_filter.cpp 'return 0.5 - std::abs(u - 2 * whole_below(u / 2) - 1)' 'return std::abs(u - 2 * whole_below(u / 2) - 1) - 0.5'
 mutant checker_line_by_its_shorter_way differentials trace/checker_filter.cpp 'std::abs(way.x) > std::abs(way.y) ?' 'std::abs(way.x) < std::abs(way.y) ?'
+
+# Mirrors of small mirrors, and metals.
+mutant facets_without_their_area facets trace/microfacets.h 'return alpha_ * alpha_ / (pi_v<T> * at * at);' 'return alpha_ / (pi_v<T> * at * at);'
+mutant facets_hide_the_wrong_way facets trace/microfacets.h '(2 * (eye * light_root + light * eye_root))' '(2 * (eye * eye_root + light * light_root))'
+mutant facets_cosine_counted_twice facets trace/microfacets.h 'value.once = facets * light /' 'value.once = facets * light * light /'
+mutant facets_pdf_of_all_facets facets trace/microfacets.h 'facets / (2 * (eye + eye_root))' 'facets / (4 * eye)'
+mutant facets_drawn_from_all facets trace/microfacets.h 'const T z = (1 - share) * (1 + eye.z) - eye.z;' 'const T z = (1 - share) * 2 - 1;'
+mutant facets_lost_light_forgotten facets trace/microfacets.h 'value.again = mean_ < 1 ?' 'value.again = mean_ < 0 ?'
+mutant facets_metal_met_once_for_all facets trace/microfacets.h 'again = mean * mean * seen /' 'again = mean * seen /'
+mutant metal_absorbs_the_wrong_way facets trace/microfacets.h 'n * n - k * k - sin2' 'n * n + k * k - sin2'
+mutant metal_without_its_angle facets trace/microfacets.h 'p_odd = s_odd * sin2' 'p_odd = s_odd'

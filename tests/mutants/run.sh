@@ -45,6 +45,8 @@ verdict() {
   [[ $2 == media ]] && program=("-I$root/tests" "$root/tests/trace/"{phase,free_path}_test.cpp "$4/src/math/sampler.cpp") libraries=("${catch2[@]}")
   [[ $2 == radiosity ]] && program=("-I$root/tests" "$root/tests/trace/form_factor_test.cpp" "$4/src/trace/form_factor.cpp") \
     libraries=("${catch2[@]}")
+  [[ $2 == facets ]] && program=("-I$root/tests" "$root/tests/trace/microfacets_test.cpp" "$4/src/trace/microfacets.cpp" "$4/src/math/sampler.cpp") \
+    libraries=("${catch2[@]}")
   [[ $2 == beams ]] && program=("-I$root/tests" -DRAYWALK_GMP "$root/tests/trace/beam_cut_test.cpp" "$4/src/trace/unfolded_plan.cpp") \
     libraries=("${catch2[@]}" -lgmpxx -lgmp)
   [[ $2 == differentials ]] && program=("-I$root/tests" "$root/tests/"{trace/ray_differential,trace/checker_filter,shape/derivative}_test.cpp "$4/src/trace/checker_filter.cpp") \

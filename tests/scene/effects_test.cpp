@@ -14,7 +14,7 @@ constexpr Effect all_effects[] = {Effect::shadows,        Effect::reflection,   
                                   Effect::gloss,          Effect::translucency, Effect::penumbra,
                                   Effect::depth_of_field, Effect::motion_blur,  Effect::antialiasing,
                                   Effect::indirect_light, Effect::textures,     Effect::sky,
-                                  Effect::scattering,     Effect::filtering};
+                                  Effect::scattering,     Effect::filtering,    Effect::microfacets};
 
 Scene scene_of(const Material& material) {
   Scene scene;
@@ -113,6 +113,26 @@ TEST_CASE("filtering is called for by a checker or an image with a filter") {
   CHECK_FALSE(effects_of(scene_of(material)).used(Effect::filtering));
   material.checker->filter = CheckerFilter::closed;
   CHECK(effects_of(scene_of(material))[Effect::filtering].why == "Ball has its checker filtered");
+}
+
+TEST_CASE("microfacets are called for by a mirror that is rough or of metal") {
+  Material material;
+  material.roughness = 0.2, material.mirror = MirrorKind::gold;
+  CHECK(effects_of(scene_of(material))[Effect::microfacets].why == "none: no mirror is of metal or rough");
+  material.reflection = Rgbd(1.0);
+  CHECK(effects_of(scene_of(material))[Effect::microfacets].why == "Ball is a mirror of metal");
+  CHECK(integrator_of(scene_of(material)) == Integrator::distributed);
+  material.mirror = MirrorKind::ideal;
+  CHECK(effects_of(scene_of(material))[Effect::microfacets].why == "Ball is a mirror of small mirrors");
+  material.roughness = 0;
+  CHECK_FALSE(effects_of(scene_of(material)).used(Effect::microfacets));
+  material.mirror = MirrorKind::gold;  // smooth gold needs no random numbers
+  CHECK(integrator_of(scene_of(material)) == Integrator::whitted);
+  Scene scene = scene_of(material);
+  scene.render.switches.reflection = false;
+  CHECK(effects_of(scene)[Effect::microfacets].why == "none: reflection is switched off");
+  scene.render.integrator = Integrator::cast;
+  CHECK(effects_of(scene)[Effect::microfacets].why == "none: cast follows no ray beyond the first hit");
 }
 
 TEST_CASE("indirect light is called for by paths where a surface sends light on") {

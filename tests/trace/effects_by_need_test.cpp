@@ -113,6 +113,14 @@ std::vector<Switch> switches() {
        {filtering, textures},
        [](Scene& s) { s.objects[2].material.checker = Checker{Rgbd(0.9), Rgbd(0.3), 0.2, CheckerFilter::closed}; },
        dull},
+      {microfacets,
+       {reflection, microfacets},
+       [](Scene& s) {
+         s.objects[2].material.reflection = Rgbd(0.5);
+         s.objects[2].material.roughness = 0.3;
+         s.objects[2].material.mirror = MirrorKind::gold;
+       },
+       [](Scene& s) { s.objects[3].material.roughness = 0.3, s.objects[3].material.mirror = MirrorKind::gold; }},
       {sky, {sky}, [](Scene& s) { s.sky = Sky{GradientSky{}}; }, dull},
   };
 }
@@ -127,8 +135,8 @@ std::set<Effect> used_by(const Scene& scene, int samples) {
 
 bool draws_numbers(Effect effect) {
   using enum Effect;
-  return std::set{gloss, translucency, penumbra, depth_of_field, motion_blur, antialiasing, indirect_light}.count(
-             effect) > 0;
+  return std::set{gloss, translucency, penumbra, depth_of_field, motion_blur, antialiasing, indirect_light, microfacets}
+             .count(effect) > 0;
 }
 
 /// No ray and no number of an effect that is not used.
@@ -264,7 +272,8 @@ TEST_CASE("an effect that is switched on leaves alone what holds nothing of it")
                     (decided && decided->holds && effect == Effect::reflection && event.line == Line::if_reflective) ||
                     (decided && (decided->holds || decided->why) && event.line == Line::if_transparent &&
                      (effect == Effect::refraction || effect == Effect::translucency)) ||
-                    (decided && decided->holds && effect == Effect::gloss && event.line == Line::if_reflective) ||
+                    (decided && decided->holds && (effect == Effect::gloss || effect == Effect::microfacets) &&
+                     event.line == Line::if_reflective) ||
                     (found && found->object == 2 &&
                      (effect == Effect::textures || effect == Effect::filtering || effect == Effect::motion_blur)) ||
                     (found && found->ending == Ending::missed && effect == Effect::sky);
@@ -292,7 +301,7 @@ TEST_CASE("cast and whitted leave out what they do not follow, and draw nothing"
   };
   const auto whole = traced(Integrator::distributed, 3);
   CHECK(used_by(scene, 3) == std::set{shadows, reflection, refraction, gloss, translucency, penumbra, depth_of_field,
-                                      motion_blur, antialiasing, textures, sky, filtering});
+                                      motion_blur, antialiasing, textures, sky, filtering, microfacets});
   CHECK(whole.statistics.random_draws() > 0);
   scene.render.integrator = Integrator::automatic;
   CHECK(integrator_of(scene) == Integrator::distributed);
@@ -300,7 +309,7 @@ TEST_CASE("cast and whitted leave out what they do not follow, and draw nothing"
   CHECK(integrator_of(plain_scene(), 2) == Integrator::distributed);
 
   scene.render.integrator = Integrator::whitted;
-  const std::set<Effect> fixed{shadows, reflection, refraction, penumbra, textures, sky, filtering};
+  const std::set<Effect> fixed{shadows, reflection, refraction, penumbra, textures, sky, filtering, microfacets};
   CHECK(used_by(scene, 1) == fixed);
   const auto sharp = picture<double>(scene, width, height, {3, 5});
   CHECK(sharp.statistics.random_draws() == 0);
@@ -309,7 +318,7 @@ TEST_CASE("cast and whitted leave out what they do not follow, and draw nothing"
   scene.render.sampler = Sampler::sobol;
   CHECK(same(sharp, picture<double>(scene, width, height, {3, 99})));
   scene.render.light_grid = 1;  // the middle of each light
-  CHECK(used_by(scene, 1) == std::set{shadows, reflection, refraction, textures, sky, filtering});
+  CHECK(used_by(scene, 1) == std::set{shadows, reflection, refraction, textures, sky, filtering, microfacets});
 
   scene.render.integrator = Integrator::cast;
   CHECK(used_by(scene, 1) == std::set{shadows, textures, sky, filtering});

@@ -23,6 +23,12 @@ Scene scene_for(const HitEffects& set) {
     if (set.filtering && material.checker) material.checker->filter = CheckerFilter::closed;
     if (set.lobes) material.gloss = 4, material.translucency = 3;
   }
+  if (set.microfacets) {
+    // The ones of the busy scene that are no glass.
+    for (Object& one : scene.objects)
+      if (!one.material.transmits()) one.material.mirror = MirrorKind::copper;
+    scene.objects[1].material.gloss = 0, scene.objects[1].material.roughness = 0.2;
+  }
   if (set.nesting) {
     Object bubble = scene.objects[2];
     bubble.name = "Bubble";
@@ -39,8 +45,8 @@ Scene scene_for(const HitEffects& set) {
 }
 
 constexpr HitEffects with(bool reflection, bool refraction, bool textures, bool penumbra, bool lobes, bool nesting,
-                          bool sky = false, bool filtering = false) {
-  return {reflection, refraction, textures, penumbra, lobes, true, nesting, true, false, sky, filtering};
+                          bool sky = false, bool filtering = false, bool microfacets = false) {
+  return {reflection, refraction, textures, penumbra, lobes, true, nesting, true, false, sky, filtering, microfacets};
 }
 constexpr HitEffects sets[] = {with(false, false, false, false, false, false),
                                with(false, false, true, true, false, false),
@@ -55,7 +61,9 @@ constexpr HitEffects sets[] = {with(false, false, false, false, false, false),
                                with(true, true, true, true, true, true, true),
                                with(false, false, true, false, false, false, false, true),
                                with(true, true, true, false, false, true, false, true),
-                               with(true, true, true, true, true, true, true, true)};
+                               with(true, false, false, false, false, false, false, false, true),
+                               with(true, true, true, true, true, true, true, false, true),
+                               with(true, true, true, true, true, true, true, true, true)};
 
 struct Counter final : Observer {
   std::uint64_t events = 0;
@@ -134,8 +142,10 @@ TEST_CASE("effects that are not called for fire no ray and draw no number") {
     CHECK((statistics.drawn(Effect::penumbra) > 0) == set.penumbra);
     CHECK((statistics.drawn(Effect::gloss) > 0) == set.lobes);
     CHECK((statistics.drawn(Effect::translucency) > 0) == (set.lobes && set.refraction));
+    CHECK((statistics.drawn(Effect::microfacets) > 0) == set.microfacets);
     CHECK(statistics.random_draws() == statistics.drawn(Effect::penumbra) + statistics.drawn(Effect::gloss) +
-                                           statistics.drawn(Effect::translucency));
+                                           statistics.drawn(Effect::translucency) +
+                                           statistics.drawn(Effect::microfacets));
     CHECK(statistics.formed(RayKind::shadow) > 0);
   }
   Scene dark = busy_scene();

@@ -1,5 +1,7 @@
 #include "view/walk/equation.h"
 
+#include "scene/metals.h"
+#include "trace/microfacets.h"
 #include "view/text/shown.h"
 #include "view/text/text.h"
 
@@ -154,11 +156,24 @@ class EquationWriter {
   void reflect(const RayFormed& formed) {
     if (parent() == nullptr) return;
     const Vec3d normal = facing(*parent()), in = parent()->direction;
-    row(Kind::formula, "R = D − 2 (N·D) N");
+    // Of a rough mirror, the direction is that of a small mirror between both.
+    constexpr double rounding = 1e-9;
+    const bool drawn = length(normalize(in - 2 * dot(normal, in) * normal) - formed.direction) > rounding;
+    const Vec3d mirror = drawn ? normalize(formed.direction - in) : normal;
+    const std::string_view letter = drawn ? "H" : "N";
+    row(Kind::formula, "R = D − 2 (", letter, "·D) ", letter);
     row(Kind::numbers, "D = ", in);
-    row(Kind::numbers, "N = ", normal, state_.appearance.language.separator(), "N·D = ", dot(normal, in));
+    row(Kind::numbers, letter, " = ", mirror, state_.appearance.language.separator(), letter, "·D = ", dot(mirror, in));
     row(Kind::numbers, "R = ", formed.direction);
-    row(Kind::note, Word{"equation.as_far_from_normal"}, " ", angle_between(normal, formed.direction), "°");
+    if (drawn)
+      row(Kind::note, Word{"equation.small_mirror"});
+    else
+      row(Kind::note, Word{"equation.as_far_from_normal"}, " ", angle_between(normal, formed.direction), "°");
+    const int object = parent()->object;
+    if (object < 0 || !scene().objects[static_cast<std::size_t>(object)].material.is_metal()) return;
+    const auto [eta, k] = refractive_index(scene().objects[static_cast<std::size_t>(object)].material.mirror);
+    row(Kind::formula, Word{"equation.fresnel"});
+    row(Kind::numbers, "F = ", Conductor<double>{eta, k}.reflectance(std::clamp(-dot(mirror, in), 0.0, 1.0)));
   }
 
   void refract(const RayFormed& formed) {
