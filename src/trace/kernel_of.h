@@ -50,7 +50,8 @@ Statistics run_kernel(const World<T>& world, const RayGenerator<T>& camera, cons
 /// shadows and penumbras, or neither: forty-two. One more leaves out shadow rays; one has a sky, which none of those
 /// has, nor scattering, which is for paths; one has metals and small mirrors too. Nesting is a set of its own: where
 /// nothing nests, a mere test at each hit would cost more than 0.1%. So would one for differentials: what filters has
-/// kernels apart, beside which those here stay as the compiler makes them without.
+/// kernels apart, beside which those here stay as the compiler makes them without. Where there are to be few kernels,
+/// all have textures and shadows.
 inline constexpr auto kernel_sets = [] {
   constexpr bool no = false, yes = true;
   struct Scattering {
@@ -64,13 +65,14 @@ inline constexpr auto kernel_sets = [] {
                                                    {yes, yes, no, yes},
                                                    {yes, yes, yes, yes}}};
   constexpr std::array<std::pair<bool, bool>, 3> lights{{{no, no}, {yes, no}, {yes, yes}}};  // shadows, penumbras
-  std::array<HitEffects, 2 * scatterings.size() * lights.size() + 3> sets{};
+  std::array<HitEffects, scatterings.size() * (few_kernels ? 2 : 2 * lights.size()) + 3> sets{};
   std::size_t at = 0;
   for (const Scattering& to : scatterings)
     for (const auto& [shadows, penumbra] : lights)
       for (const bool textures : {no, yes})
-        sets[at++] = {to.reflection, to.refraction, textures, penumbra, to.lobes, shadows,
-                      to.nesting,    yes,           no,       no,       no,       no};
+        if (!few_kernels || (shadows && textures))
+          sets[at++] = {to.reflection, to.refraction, textures, penumbra, to.lobes, shadows,
+                        to.nesting,    yes,           no,       no,       no,       no};
   sets[at++] = no_occlusion;  // for looking, and need not be fast
   sets[at++] = no_filtering_nor_facets;
   sets[at] = no_filtering;
@@ -90,7 +92,8 @@ inline constexpr auto kernel_sets = [] {
   }
   set.refraction = set.refraction || set.nesting;
   set.reflection = set.reflection || set.refraction || set.lobes;
-  set.shadows = set.shadows || set.penumbra;
+  set.shadows = set.shadows || set.penumbra || few_kernels;
+  set.textures = set.textures || few_kernels;
   return static_cast<std::size_t>(std::find(kernel_sets.begin(), kernel_sets.end(), set) - kernel_sets.begin());
 }
 static_assert(

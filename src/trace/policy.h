@@ -45,8 +45,8 @@ inline constexpr HitEffects no_filtering_nor_facets{.filtering = false, .microfa
 inline constexpr HitEffects plain_filtering{
     .penumbra = false, .lobes = false, .nesting = false, .scattering = false, .sky = false, .microfacets = false};
 
-/// Where the program is to be small, as in a page, scenes other than the plainest take kernels that have everything:
-/// the same bits, a little later.
+/// Where the program is to be small, as in a page, or sanitizers make it large, many scenes take kernels that have more
+/// than they call for: the same bits, a little later.
 #ifdef RAYWALK_FEW_KERNELS
 inline constexpr bool few_kernels = true;
 #else
