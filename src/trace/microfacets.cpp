@@ -1,5 +1,9 @@
 #include "trace/microfacets.h"
 
+#include <mutex>
+#include <utility>
+#include <vector>
+
 namespace raywalk {
 
 namespace {
@@ -73,7 +77,25 @@ Microfacets<T>::Microfacets(T alpha) : alpha_(std::max(alpha, narrowest)) {
   for (T& one : sum_) one /= all;
 }
 
+template <class T>
+std::shared_ptr<const Microfacets<T>> microfacets_of(T alpha) {
+  constexpr std::size_t most = 32;
+  static std::mutex looking;
+  static std::vector<std::pair<T, std::shared_ptr<const Microfacets<T>>>> kept;  // the last asked for is the last
+  const std::lock_guard lock(looking);
+  const auto found = std::find_if(kept.begin(), kept.end(), [&](const auto& one) { return one.first == alpha; });
+  if (found != kept.end()) {
+    std::rotate(found, found + 1, kept.end());
+  } else {
+    if (kept.size() == most) kept.erase(kept.begin());
+    kept.emplace_back(alpha, std::make_shared<const Microfacets<T>>(alpha));
+  }
+  return kept.back().second;
+}
+
 template class Microfacets<float>;
 template class Microfacets<double>;
+template std::shared_ptr<const Microfacets<float>> microfacets_of(float alpha);
+template std::shared_ptr<const Microfacets<double>> microfacets_of(double alpha);
 
 }  // namespace raywalk

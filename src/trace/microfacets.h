@@ -3,6 +3,7 @@
 // the angle. Directions are unit vectors away from the surface.
 
 #include "math/sampling.h"
+#include "scene/metals.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +11,6 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
-#include <utility>
 
 namespace raywalk {
 
@@ -175,6 +175,11 @@ Vec3<T> Microfacets<T>::sample_again(const Vec2<T>& unit) const {
   return {aside * cos, aside * sin, std::sqrt(square)};
 }
 
+/// Those of an alpha. Prepared once as long as they are asked for now and then, for that takes 10 ms, and a scene is
+/// prepared anew with each of its edits. May be called from any thread.
+template <class T>
+[[nodiscard]] std::shared_ptr<const Microfacets<T>> microfacets_of(T alpha);
+
 /// What reflects at a surface: small mirrors or one, of metal or of anything that reflects all colours alike.
 template <class T>
 struct Microsurface {
@@ -182,7 +187,8 @@ struct Microsurface {
   std::shared_ptr<const Microfacets<T>> facets;  ///< null: one mirror
   Rgb<T> again{1};                               ///< what is left of light that met several of the small mirrors
 
-  Microsurface(std::optional<Conductor<T>> of_metal, T roughness);
+  /// Whether `facets` and `metal` are there, if it reflects, is as the material says.
+  explicit Microsurface(const Material& material);
   /// `cos`: of the angle of incidence, in 0..1.
   [[nodiscard]] Rgb<T> reflectance(T cos) const { return metal ? metal->reflectance(cos) : Rgb<T>(1); }
   /// The scattering function times the cosine.
@@ -192,9 +198,13 @@ struct Microsurface {
 };
 
 template <class T>
-Microsurface<T>::Microsurface(std::optional<Conductor<T>> of_metal, T roughness) : metal(std::move(of_metal)) {
-  if (!(roughness > 0)) return;
-  facets = std::make_shared<const Microfacets<T>>(roughness);
+Microsurface<T>::Microsurface(const Material& material) {
+  if (material.is_metal()) {
+    const MetalIndex index = refractive_index(material.mirror);
+    metal = Conductor<T>{Rgb<T>(index.eta), Rgb<T>(index.k)};
+  }
+  if (!material.is_rough()) return;
+  facets = microfacets_of(static_cast<T>(material.roughness));
   if (!metal) return;
   constexpr int steps = 256;
   Rgb<T> mean(0);

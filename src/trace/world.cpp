@@ -1,7 +1,5 @@
 #include "trace/world.h"
 
-#include "scene/metals.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -191,17 +189,9 @@ class Flattener {
     if (is_new) {
       world_.surfaces.push_back(surface_of<T>(*material, integrator_, switches_, world_.scatterings));
       if (world_.effects.used(Effect::filtering)) world_.pattern_filters.push_back(filter_of(*material));
-      if (world_.effects.used(Effect::microfacets)) world_.microsurfaces.push_back(microsurface_of(*material));
+      if (world_.effects.used(Effect::microfacets)) world_.microsurfaces.emplace_back(*material);
     }
     return entry->second;
-  }
-  static Microsurface<T> microsurface_of(const Material& material) {
-    std::optional<Conductor<T>> metal;
-    if (material.is_metal()) {
-      const MetalIndex index = refractive_index(material.mirror);
-      metal = Conductor<T>{Rgb<T>(index.eta), Rgb<T>(index.k)};
-    }
-    return {metal, material.is_rough() ? static_cast<T>(material.roughness) : T(0)};
   }
   PatternFilter filter_of(const Material& material) {
     PatternFilter filter;

@@ -17,6 +17,7 @@
 #include "view/lesson/room.h"
 #include "view/link/room.h"
 #include "view/live/room.h"
+#include "view/lobe/room.h"
 #include "view/microscope/room.h"
 #include "view/photons/room.h"
 #include "view/picture/room.h"
@@ -65,10 +66,10 @@ struct State {
 };
 
 /// All rooms, in the order of their tabs and of their commands in menus.
-using Rooms =
-    Types<WalkRoom, LessonRoom, BugRoom, PlanRoom, SpaceRoom, PictureRoom, TreeRoom, StackRoom, EquationRoom,
-          LegendRoom, CostRoom, MicroscopeRoom, StructureRoom, DocumentRoom, PredictRoom, ExportRoom, LinkRoom,
-          LiveRoom, BandRoom, EffectsRoom, FocusRoom, SkyRoom, PhotonRoom, RadiosityRoom, InkRoom, AppearanceRoom>;
+using Rooms = Types<WalkRoom, LessonRoom, BugRoom, PlanRoom, SpaceRoom, PictureRoom, TreeRoom, StackRoom, EquationRoom,
+                    LegendRoom, CostRoom, MicroscopeRoom, StructureRoom, DocumentRoom, PredictRoom, ExportRoom,
+                    LinkRoom, LiveRoom, BandRoom, EffectsRoom, FocusRoom, SkyRoom, LobeRoom, PhotonRoom, RadiosityRoom,
+                    InkRoom, AppearanceRoom>;
 
 namespace rooms {
 template <class Room>

@@ -259,6 +259,7 @@ TEST_CASE("what is said in other words in English is translated") {
                                    "Page Up",
                                    "Shift",
                                    "no",
+                                   "ideal",
                                    "Double",
                                    "Float",
                                    "Material",

@@ -28,10 +28,10 @@ Scene floor_of(const Material& material) {
   return scene;
 }
 
-const Vec3d eye(-2, 0.5, 1.5), target(0, 0, 0);
+const Vec3d above_floor(-2, 0.5, 1.5), on_floor(0, 0, 0);
 
 // A corner of a room with rough metals in it, lit by a lamp and by what glows.
-Scene corner() {
+Scene metal_corner() {
   Scene scene = floor_of(matt(0.6));
   scene.background = {0.1, 0.2, 0.3};
   scene.objects.push_back({"Gold", Sphere<double>{{0, 1, 0.8}, 0.8}, rough(0.3, MirrorKind::gold)});
@@ -54,12 +54,12 @@ TEST_CASE("a rough mirror in even light is not to be seen, by paths and by distr
       scene.objects[0].shape = Sphere<double>{{0, 0, 0}, 0.5};  // nothing is met twice
       scene.background = Rgbd(1.0);
       if (paths) {
-        const Estimate seen = light_along(scene, eye, {0.1, 0.1, 0.1}, 20000);
+        const Estimate seen = light_along(scene, above_floor, {0.1, 0.1, 0.1}, 20000);
         CHECK(std::abs(seen.mean.x - 1) < 4.5 * seen.error + 1e-3);
         CHECK(seen.error < 0.01);
       } else {
         scene.render.integrator = Integrator::distributed;
-        const Sampled seen = sample(scene, eye, {0.1, 0.1, 0.1}, 20000);
+        const Sampled seen = sample(scene, above_floor, {0.1, 0.1, 0.1}, 20000);
         CHECK(std::abs(seen.mean - 1) < seen.tolerance() + 1e-3);
       }
     }
@@ -72,18 +72,16 @@ TEST_CASE("a lamp shines on a rough mirror as its scattering function says, by w
       Scene scene = floor_of(rough(roughness, kind));
       scene.lights = {lamp(light, 2)};
       scene.render.integrator = Integrator::whitted;
-      std::optional<Conductor<double>> metal;
-      if (kind != MirrorKind::ideal) metal = Conductor<double>{refractive_index(kind).eta, refractive_index(kind).k};
-      const Microsurface<double> mirrors(metal, roughness);
-      const Rgbd expected =
-          2 * pi_v<double> *
-          mirrors.value(mirrors.facets->evaluate({0, 0, 1}, normalize(eye - target), normalize(light - target)));
-      const Rgbd whitted = shade_along(scene, eye, target);
+      const Microsurface<double> mirrors(rough(roughness, kind));
+      const Rgbd expected = 2 * pi_v<double> *
+                            mirrors.value(mirrors.facets->evaluate({0, 0, 1}, normalize(above_floor - on_floor),
+                                                                   normalize(light - on_floor)));
+      const Rgbd whitted = shade_along(scene, above_floor, on_floor);
       scene.render.path_length = 2;
-      const Rgbd paths = light_along(scene, eye, target, 2, {2, never, PathStrategy::both}).mean;
+      const Rgbd paths = light_along(scene, above_floor, on_floor, 2, {2, never, PathStrategy::both}).mean;
       for (int c = 0; c < 3; ++c) {
         CHECK(whitted[c] == Approx(expected[c]).epsilon(1e-9));
-        CHECK(paths[c] == Approx(expected[c]).epsilon(1e-9));
+        CHECK(paths[c] == Approx(expected[c]).epsilon(1e-7));  // nearly the same ray
       }
       CHECK(expected.x > 0.01);
     }
@@ -102,7 +100,7 @@ TEST_CASE("a smooth metal weighs what it reflects by Fresnel, and needs no rando
 }
 
 TEST_CASE("what glows is found in rough metals by its light and by chance alike") {
-  const Scene scene = corner();
+  const Scene scene = metal_corner();
   for (const Vec3d& at : {Vec3d(-0.6, 0.8, 1.2), Vec3d(2, 0.1, 1.5), Vec3d(-0.4, -1, 0.9)}) {
     const Estimate lights = light_along(scene, {-4, 0, 1}, at, 6000, {4, never, PathStrategy::lights}, 1);
     const Estimate chance = light_along(scene, {-4, 0, 1}, at, 6000, {4, never, PathStrategy::directions}, 2);
@@ -114,7 +112,7 @@ TEST_CASE("what glows is found in rough metals by its light and by chance alike"
 }
 
 TEST_CASE("photons and paths agree among rough metals", "[odds]") {
-  Scene scene = by_photons(corner(), 60000, 40);
+  Scene scene = by_photons(metal_corner(), 60000, 40);
   const Estimates paths = path_estimates(scene, 10, 10, 400, {12, never, PathStrategy::both});
   double truth = 0, error = 0;
   for (std::size_t i = 0; i < paths.mean.size(); ++i) {
@@ -133,7 +131,7 @@ TEST_CASE("photons and paths agree among rough metals", "[odds]") {
 TEMPLATE_TEST_CASE("watched or not, rough metals have the same bits by paths, and all of them are finite", "", float,
                    double) {
   using T = TestType;
-  Scene scene = corner();
+  Scene scene = metal_corner();
   for (const bool sky : {false, true}) {
     if (sky) scene.sky = Sky{GradientSky{}};
     Recording recording;

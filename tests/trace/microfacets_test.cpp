@@ -30,6 +30,14 @@ Vec3d above(double cos, double turn) {
 }
 constexpr double alphas[] = {0.001, 0.01, 0.05, 0.1, 0.3, 0.5, 0.8, 1};
 
+Microsurface<double> mirrors_of(double roughness, MirrorKind kind = MirrorKind::ideal) {
+  Material material;
+  material.reflection = Rgbd(1.0);
+  material.roughness = roughness;
+  material.mirror = kind;
+  return Microsurface<double>(material);
+}
+
 // A mirror of small mirrors, z = 0, met at an angle to the normal.
 Bsdf<double> surface(const Microsurface<double>& mirrors, double cos) {
   Bsdf<double> bsdf;
@@ -97,7 +105,7 @@ TEST_CASE("a white mirror of small mirrors is white: nothing is lost or won, how
   std::size_t number = 0;
   for (const double alpha : alphas) {
     if (left_out(number++, 4)) continue;
-    const Microsurface<double> mirrors(std::nullopt, alpha);
+    const Microsurface<double> mirrors = mirrors_of(alpha);
     for (const double cos : {1.0, 0.9, 0.6, 0.3, 0.1, 0.03, 0.01}) {
       CAPTURE(alpha, cos);
       CHECK(furnace(surface(mirrors, cos), 1 << 15).x == Approx(1).margin(1e-3));
@@ -110,7 +118,7 @@ TEST_CASE("a white mirror of small mirrors is white: nothing is lost or won, how
 TEST_CASE("rough gold returns less than smooth gold, and its light is yellower for having met several mirrors") {
   const MetalIndex index = refractive_index(MirrorKind::gold);
   const Conductor<double> gold{index.eta, index.k};
-  const Microsurface<double> smooth(gold, 0.01), rough(gold, 1);
+  const Microsurface<double> smooth = mirrors_of(0.01, MirrorKind::gold), rough = mirrors_of(1, MirrorKind::gold);
   const Rgbd of_smooth = furnace(surface(smooth, 1), 1 << 15), of_rough = furnace(surface(rough, 1), 1 << 15);
   for (int c = 0; c < 3; ++c) {
     CHECK(of_smooth[c] == Approx(gold.reflectance(1)[c]).epsilon(2e-3));

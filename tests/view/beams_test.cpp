@@ -30,13 +30,6 @@ State beam_state() {
   return state;
 }
 
-template <class Detail>
-int position_after(const Timeline& timeline, int from = 0) {
-  for (int i = from; i < timeline.steps(); ++i)
-    if (std::holds_alternative<Detail>(timeline.event(i).detail)) return i + 1;
-  return -1;
-}
-
 /// The areas that stand for beams and parts of the current pixel.
 std::vector<PolygonItem> areas(const State& state) {
   std::vector<PolygonItem> found;

@@ -3,6 +3,7 @@
 
 #include "fixtures.h"
 #include "timeline/event_json.h"
+#include "trace/microfacets.h"
 #include "view/plan/plan_view.h"
 
 #include <fmt/format.h>
@@ -59,6 +60,18 @@ std::vector<double> allowed(const State& state) {
   }
   if (const auto* formed = std::get_if<RayFormed>(&event.detail); formed != nullptr && formed->snell)
     for (const double cosine : {formed->snell->cos_in, formed->snell->cos_out}) numbers.push_back(degrees(cosine));
+  // A small mirror that reflects the one direction into the other, and what its metal keeps.
+  if (const auto* formed = std::get_if<RayFormed>(&event.detail);
+      formed != nullptr && formed->kind == RayKind::reflect && directions.size() > 1) {
+    const Vec3d half = normalize(directions[0] - directions[1]);
+    for (const double part : {half.x, half.y, half.z}) numbers.push_back(part);
+    numbers.push_back(dot(half, directions[1]));
+    const int parent = timeline.rays()[static_cast<std::size_t>(timeline.current_ray(state.walk.position))].parent;
+    const int object = timeline.rays()[static_cast<std::size_t>(parent)].object;
+    const Microsurface<double> mirrors(scene.objects[static_cast<std::size_t>(object)].material);
+    const Rgbd kept = mirrors.reflectance(std::abs(dot(half, directions[1])));
+    for (const double part : {kept.x, kept.y, kept.z}) numbers.push_back(part);
+  }
   for (const Vec3d& d : directions) numbers.push_back(length(d));
   for (const Vec3d& n : normals) {
     for (const double part : {n.x, n.y, n.z}) numbers.push_back(-part);

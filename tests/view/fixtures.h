@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace raywalk::test {
@@ -30,6 +31,14 @@ Vec2d pixels_of(const State& state, const Target& target);
 
 /// What stands for a target in a drawing.
 std::vector<DisplayItem> items_of(const DisplayList& list, const Target& target);
+
+/// After the first event with this detail from a position on; -1 where there is none.
+template <class Detail>
+int position_after(const Timeline& timeline, int from = 0) {
+  for (int i = from; i < timeline.steps(); ++i)
+    if (std::holds_alternative<Detail>(timeline.event(i).detail)) return i + 1;
+  return -1;
+}
 
 void drag(State& state, const Vec2d& from, const Vec2d& to, action::Modifiers modifiers = {});
 /// Takes hold of a target's handle and moves the pointer by so many pixels.

@@ -35,13 +35,6 @@ int dots_of(const State& state) {
   return dots;
 }
 
-template <class Detail>
-int position_after(const Timeline& timeline, int from = 0) {
-  for (int i = from; i < timeline.steps(); ++i)
-    if (std::holds_alternative<Detail>(timeline.event(i).detail)) return i + 1;
-  return -1;
-}
-
 }  // namespace
 
 TEST_CASE("a dot appears where a photon is stored, and all of them once the others have gone their ways") {

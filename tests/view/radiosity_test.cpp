@@ -26,13 +26,6 @@ State room() {
   return state;
 }
 
-template <class Detail>
-int position_after(const Timeline& timeline, int from = 0) {
-  for (int i = from; i < timeline.steps(); ++i)
-    if (std::holds_alternative<Detail>(timeline.event(i).detail)) return i + 1;
-  return -1;
-}
-
 /// Lines with exactly these ends, in either direction.
 int lines_between(const State& state, const Vec2d& a, const Vec2d& b) {
   const auto at = [&](const Vec2d& p) { return to_pixels(state.plan.camera, state.plan.viewport, p); };

@@ -1,4 +1,5 @@
 #include "math/overloaded.h"
+#include "scene/metals.h"
 #include "view/plan/painter.h"
 
 #include <algorithm>
@@ -131,10 +132,14 @@ class Thinning {
 
 Colour body_colour(const Scene& scene, const Material& material) {
   // Unlit: the diffuse colour under white light, and a part of reflection and transmission, so that a mirror is not
-  // black.
+  // black, and a metal has its colour.
   Rgbd colour = scene.ambient * material.ambient + material.diffuse;
   if (material.checker) colour *= (material.checker->even + material.checker->odd) / 2.0;
-  colour += material.emission + 0.25 * material.reflection;
+  colour += material.emission;
+  if (material.is_metal())
+    colour += 0.7 * material.reflection * reflectance_at_right_angles(material.mirror);
+  else
+    colour += 0.25 * material.reflection;
   if (material.transmits()) {
     const Rgbd tinted = colour + 0.6 * material.transmission;
     return display_colour(tinted).with_alpha(56);
