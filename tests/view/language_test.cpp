@@ -55,6 +55,7 @@ TEST_CASE("every member of a family has its text, and none is there for nobody")
   for (const ShadowKind kind : values_of<ShadowKind>) choose(name_of(kind));
   for (const ShadingNormal normal : values_of<ShadingNormal>) choose(name_of(normal));
   for (const CheckerFilter filter : values_of<CheckerFilter>) choose(name_of(filter));
+  for (const MirrorKind kind : values_of<MirrorKind>) choose(name_of(kind));
   for (const TextureFilter filter : values_of<TextureFilter>) choose(name_of(filter));
   [&]<class... Kinds>(const std::variant<Kinds...>* /*all*/) {
     (choose(Kinds::name), ...);

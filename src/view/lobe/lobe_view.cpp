@@ -105,7 +105,7 @@ void LobeRoom::draw_in_plan(Painter& painter) {
            {std::max(box.max.x, at.x), std::max(box.max.y, at.y)}};
   }
   painter.add(std::move(shape));
-  painter.unnamed.push_back(box);
+  painter.kept_free.push_back(box);
   const Vec2d out(most.along.x, -most.along.y);
   painter.note_beside(place(most), out, std::string(text("plan.lobe", state.appearance.language)));
 }
