@@ -222,17 +222,22 @@ void transport_pane(const Ui& ui, const Rect& where) {
   const float left = where.x + ui.px(margin);
   float y = where.y + rows.top;
   ImGui::SetCursorScreenPos({left, y});
-  // In a narrow window a long one is smaller, or else clipped.
+  // In a narrow window a long one is smaller, and a very long one smaller still; beyond that it is clipped.
   const std::string said = sentence(ui.state);
   std::string lines = broken_lines(said, rows.inner);
   const bool fits = ImGui::CalcTextSize(lines.c_str()).y <= rows.sentence;
   push_font(fits ? ui.fonts.text : ui.fonts.small);
   if (!fits) lines = broken_lines(said, rows.inner);
+  for (float size = 0.95f; ImGui::CalcTextSize(lines.c_str()).y > rows.sentence && size > 0.7f; size -= 0.05f) {
+    ImGui::SetWindowFontScale(size);
+    lines = broken_lines(said, rows.inner);
+  }
   ImGui::PushClipRect({where.x, y}, {where.right(), y + rows.sentence}, true);
   label(ui.colours.text, lines);
   ImGui::PopClipRect();
-  pop_font();
   ui.publish("sentence");
+  ImGui::SetWindowFontScale(1);
+  pop_font();
   y += rows.sentence + rows.gap;
 
   const ImVec2 step{ui.px(step_width) * rows.shrink, rows.big};

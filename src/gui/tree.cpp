@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace raywalk {
@@ -18,7 +19,7 @@ namespace {
 
 // Lengths at scale 1.
 constexpr float least_radius = 8, max_radius = 14, least_column = 22, max_column = 140, least_level = 30,
-                max_level = 96;
+                max_level = 96, halo = 5, label_pad = 3;
 
 Vec2d to_view(ImVec2 p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
 
@@ -61,7 +62,7 @@ void draw_node(const Ui& ui, const TreeNode& node, ImVec2 at, const Spacing& spa
   const float r = spacing.radius;
   const ImU32 ring = to_imgui(node.future ? ui.colours.dim_text.with_alpha(130) : node.colour);
   if (node.current || node.hovered)
-    draw.AddCircleFilled(at, r + ui.px(5),
+    draw.AddCircleFilled(at, r + ui.px(halo),
                          to_imgui((node.current ? ui.colours.selected : ui.colours.hovered).with_alpha(150)));
   const Colour ground = node.returned ? node.shade : ui.colours.panel;
   if (node.formed) {
@@ -90,6 +91,12 @@ std::vector<TreeLabel> labels_of(const Ui& ui, const TreePanel& tree, const std:
   push_font(ui.fonts.small);
   const float line = ImGui::GetFontSize(), column = spacing.column - ui.px(6);
   const TreeLabelRoom room{seen, places, spacing.radius, ui.px(4)};
+  TreeLabelRoom round_halo{seen, places, spacing.radius, ui.px(halo), ui.px(label_pad)};
+  std::vector<std::pair<ImVec2, ImVec2>> links;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    if (const int parent = tree.nodes[i].parent; parent >= 0)
+      links.emplace_back(places[static_cast<std::size_t>(parent)], places[i]);
+  round_halo.links = links;
   const auto extent_of = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()); };
   // Each line as wide as a column.
   const auto in_lines = [&](const std::string& text, int most) {
@@ -120,11 +127,12 @@ std::vector<TreeLabel> labels_of(const Ui& ui, const TreePanel& tree, const std:
   if (current != lit.end()) std::rotate(lit.begin(), current, current + 1);
   for (const std::size_t i : lit) {
     const TreeNode& node = tree.nodes[i];
-    // In one line, or beside others in the two that a column has room for.
+    // In one line, or where that covers more, or beside others, in two.
     const std::string one = shortened(node.label, std::min(ui.px(320), seen.width - ui.px(8)));
-    const std::string two = broken_lines(node.label, std::max(column, ui.px(60)));
-    const Rect in_one = label_place(places[i], extent_of(one), room),
-               in_two = label_place(places[i], extent_of(two), room);
+    const float half = std::max(ui.px(60), 0.6f * extent_of(one).x);
+    const std::string two = broken_lines(node.label, std::min(std::max(column, ui.px(60)), half));
+    const Rect in_one = label_place(places[i], extent_of(one), round_halo),
+               in_two = label_place(places[i], extent_of(two), round_halo);
     const auto beside = [&](std::size_t other) {
       const ImVec2 a = places[i], b = places[other];
       return other != i && has_label(tree.nodes[other]) && std::abs(a.y - b.y) < 1 &&
@@ -132,8 +140,9 @@ std::vector<TreeLabel> labels_of(const Ui& ui, const TreePanel& tree, const std:
     };
     std::size_t other = 0;
     while (other < places.size() && !beside(other)) ++other;
-    const bool breaks = other < places.size() && std::count(two.begin(), two.end(), '\n') == 1 &&
-                        covered_by_label(in_two, room) <= covered_by_label(in_one, room);
+    const float over = covered_by_label(in_one, round_halo), under = covered_by_label(in_two, round_halo);
+    const bool breaks =
+        std::count(two.begin(), two.end(), '\n') == 1 && (other < places.size() ? under <= over : under < over);
     TreeLabel label = breaks ? TreeLabel{two, in_two} : TreeLabel{one, in_one};
     if (is_free(label.where)) labels.push_back(std::move(label));
   }
@@ -155,9 +164,9 @@ std::vector<TreeLabel> labels_of(const Ui& ui, const TreePanel& tree, const std:
 void draw_label(const Ui& ui, const TreeLabel& label) {
   push_font(ui.fonts.small);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
-  const float pad = ui.px(3), middle = label.where.x + label.where.width / 2;
+  const float pad = ui.px(label_pad), middle = label.where.x + label.where.width / 2;
   draw.AddRectFilled({label.where.x - pad, label.where.y}, {label.where.right() + pad, label.where.bottom()},
-                     to_imgui(ui.colours.panel.with_alpha(200)), pad);
+                     to_imgui(ui.colours.panel.with_alpha(230)), pad);
   float y = label.where.y;
   for (std::size_t at = 0; at <= label.text.size();) {
     const std::size_t end = std::min(label.text.find('\n', at), label.text.size());

@@ -5,6 +5,23 @@
 
 namespace raywalk {
 
+namespace {
+
+/// Whether a part of the line lies inside of the rectangle (Liang and Barsky 1984).
+bool crosses(const Rect& box, ImVec2 from, ImVec2 to) {
+  float first = 0, last = 1;
+  const auto inside = [&](float at, float along, float low, float high) {
+    if (along == 0) return at > low && at < high;
+    const float a = (low - at) / along, b = (high - at) / along;
+    first = std::max(first, std::min(a, b));
+    last = std::min(last, std::max(a, b));
+    return first < last;
+  };
+  return inside(from.x, to.x - from.x, box.x, box.right()) && inside(from.y, to.y - from.y, box.y, box.bottom());
+}
+
+}  // namespace
+
 float covered_by_label(const Rect& label, const TreeLabelRoom& room) {
   const Rect& seen = room.seen;
   const float across = std::max({seen.x - label.x, label.right() - seen.right(), 0.0f});
@@ -15,17 +32,20 @@ float covered_by_label(const Rect& label, const TreeLabelRoom& room) {
     const float dx = std::abs(node.x - label.x - label.width / 2), dy = std::abs(node.y - label.y - label.height / 2);
     if (dx < half_width && dy < half_height) covered += half_height - dy;
   }
+  // A line can be followed past a word, a node cannot.
+  for (const auto& [from, to] : room.links)
+    if (crosses(label, from, to)) covered += label.height / 8;
   return covered;
 }
 
 Rect label_place(ImVec2 at, ImVec2 extent, const TreeLabelRoom& room) {
   const Rect& seen = room.seen;
-  const float beside = room.radius + room.gap,
+  const float below = room.radius + room.gap, beside = below + room.beside,
               middle = std::clamp(at.x - extent.x / 2, seen.x, std::max(seen.x, seen.right() - extent.x));
-  const Rect places[]{{middle, at.y + beside, extent.x, extent.y},
+  const Rect places[]{{middle, at.y + below, extent.x, extent.y},
                       {at.x + beside, at.y - extent.y / 2, extent.x, extent.y},
                       {at.x - beside - extent.x, at.y - extent.y / 2, extent.x, extent.y},
-                      {middle, at.y - beside - extent.y, extent.x, extent.y}};
+                      {middle, at.y - below - extent.y, extent.x, extent.y}};
   return *std::min_element(std::begin(places), std::end(places), [&](const Rect& a, const Rect& b) {
     return covered_by_label(a, room) < covered_by_label(b, room);
   });

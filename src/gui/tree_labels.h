@@ -6,18 +6,22 @@
 #include <imgui.h>
 
 #include <span>
+#include <utility>
 
 namespace raywalk {
 
 /// What a label of the tree keeps off, in ImGui's units.
 struct TreeLabelRoom {
-  Rect seen;                      ///< the visible part of the tree
-  std::span<const ImVec2> nodes;  ///< the middles of all nodes
-  float radius = 0;               ///< of a node
-  float gap = 0;                  ///< between a node and its label
+  Rect seen;                                              ///< the visible part of the tree
+  std::span<const ImVec2> nodes;                          ///< the middles of all nodes
+  float radius = 0;                                       ///< of a node
+  float gap = 0;                                          ///< between a node and its label
+  float beside = 0;                                       ///< more of it, to the left and to the right
+  std::span<const std::pair<ImVec2, ImVec2>> links = {};  ///< between nodes
 };
 
-/// What of a label of this size stands over nodes or beyond the border, as heights added up; 0: nothing.
+/// What of a label of this size stands over nodes or beyond the border, as heights added up, and a little for each link
+/// under it; 0: nothing.
 [[nodiscard]] float covered_by_label(const Rect& label, const TreeLabelRoom& room);
 
 /// The label's place by the node at `at`: below it, unless that covers more than a place beside or above it.

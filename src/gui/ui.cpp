@@ -3,6 +3,7 @@
 #include "gui/style.h"
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 
 namespace raywalk {
@@ -73,16 +74,20 @@ std::optional<float> uncut_edge(const ImDrawList& drawn, const Rect& where, floa
   for (bool moved = true; moved;) {
     moved = false;
     for (const ImDrawCmd& command : drawn.CmdBuffer) {
-      for (unsigned i = 0; i + 2 < command.ElemCount; i += 3) {
-        const auto corner_of = [&](unsigned n) {
-          const auto index = static_cast<int>(command.IdxOffset + i + n);
-          return drawn.VtxBuffer[static_cast<int>(command.VtxOffset) + drawn.IdxBuffer[index]].pos;
-        };
-        const ImVec2 a = corner_of(0), b = corner_of(1), c = corner_of(2);
-        const float top = std::min({a.y, b.y, c.y}), bottom = std::max({a.y, b.y, c.y});
+      const auto first_of = [&](unsigned i) { return drawn.IdxBuffer[static_cast<int>(command.IdxOffset + i)]; };
+      for (unsigned i = 0, next = 0; i + 2 < command.ElemCount; i = next) {
+        float left = FLT_MAX, top = FLT_MAX, bottom = -FLT_MAX;
+        // A fan, such as a box with round corners, is cut as a whole.
+        for (next = i; next + 2 < command.ElemCount && first_of(next) == first_of(i); next += 3)
+          for (const unsigned n : {0U, 1U, 2U}) {
+            const ImVec2 corner = drawn.VtxBuffer[static_cast<int>(command.VtxOffset) + first_of(next + n)].pos;
+            left = std::min(left, corner.x);
+            top = std::min(top, corner.y);
+            bottom = std::max(bottom, corner.y);
+          }
         if (top >= edge - rounding || bottom <= edge + rounding) continue;
         const bool is_ground = top <= where.y && bottom >= where.bottom();
-        if (is_ground || std::min({a.x, b.x, c.x}) >= where.right()) continue;
+        if (is_ground || left >= where.right()) continue;
         edge = way < 0 ? top : bottom;
         if (std::abs(edge - begun) > most) return std::nullopt;
         moved = true;

@@ -1,5 +1,6 @@
 // What scrolls shows whole lines, and a finger moves it.
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <string>
 #include <vector>
@@ -80,6 +81,10 @@ TEST_CASE("an edge moves to where it cuts nothing, or says that this is too far"
   CHECK(uncut_edge(list, window, 99, 1, 40) == Approx(116));
   CHECK(uncut_edge(list, window, 118, -1, 40) == Approx(118));
   CHECK_FALSE(uncut_edge(list, window, 114, -1, 10).has_value());
+  // A box with round corners is cut as a whole: no sliver of it is left.
+  list.AddRectFilled({10, 140}, {90, 170}, 0xffffffff, 8);
+  CHECK(std::abs(uncut_edge(list, window, 160, -1, 40).value() - 140) <= 1);
+  CHECK(std::abs(uncut_edge(list, window, 142, 1, 40).value() - 170) <= 1);
 }
 
 TEST_CASE("a lesson's text is cut through no line, wherever it is scrolled to") {

@@ -1,6 +1,7 @@
 #include "gui/tree_labels.h"
 
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "support/catch.h"
@@ -51,4 +52,18 @@ TEST_CASE("what a label of the ray tree covers is counted once a node, and twice
   CHECK(covered_by_label({-30, 20, 100, 16}, room) == Approx(2 * 30));
   CHECK(labels_cross({0, 0, 10, 10}, {9, 9, 10, 10}));
   CHECK_FALSE(labels_cross({0, 0, 10, 10}, {10, 0, 10, 10}));
+}
+
+TEST_CASE("a label of the ray tree leaves links and the halo of its node free, where there is room") {
+  const std::vector<ImVec2> nodes{{200, 40}, {200, 160}};
+  const std::vector<std::pair<ImVec2, ImVec2>> links{{nodes[0], nodes[1]}};
+  TreeLabelRoom room = room_with(nodes);
+  room.links = links;
+  room.beside = 3;
+  const Rect place = label_place(nodes[0], {80, 16}, room);
+  CHECK(place == Rect{217, 32, 80, 16});
+  CHECK(covered_by_label(place, room) == 0);
+  // Over a link, but not over a node.
+  CHECK(covered_by_label({160, 90, 80, 16}, room) == Approx(2));
+  CHECK(covered_by_label({201, 90, 80, 16}, room) == 0);
 }

@@ -39,6 +39,15 @@ class Contexts {
   ImGuiContext* imgui_ = ImGui::GetCurrentContext();
 };
 
+bool holds_middle(GLFWwindow* window, int x, int y, int width, int height) {
+  int left = 0, top = 0, across = 0, down = 0;
+  glfwGetWindowPos(window, &left, &top);
+  glfwGetWindowSize(window, &across, &down);
+  left += across / 2 - x;
+  top += down / 2 - y;
+  return left >= 0 && left < width && top >= 0 && top < height;
+}
+
 std::string time_of_day() {
   const std::time_t now = std::time(nullptr);
   std::tm parts{};
@@ -61,17 +70,20 @@ struct NotesWindow::Parts {
 
   void open() {
     constexpr int width = 900, height = 700;
+    GLFWwindow* const walk = glfwGetCurrentContext();
     glfwWindowHint(GLFW_FOCUS_ON_SHOW, GLFW_FALSE);  // the walk's window keeps the keyboard
     window = glfwCreateWindow(width, height, "Raywalk", nullptr, nullptr);
     glfwWindowHint(GLFW_FOCUS_ON_SHOW, GLFW_TRUE);
     if (window == nullptr) return;
     int count = 0;
-    GLFWmonitor** monitors = glfwGetMonitors(&count);
-    if (count > 1) {  // the walk is on the first
+    GLFWmonitor** const monitors = glfwGetMonitors(&count);
+    for (int i = 0; i < count && count > 1; ++i) {
       int x = 0, y = 0, room = 0, rows = 0;
-      glfwGetMonitorWorkarea(monitors[1], &x, &y, &room, &rows);
+      glfwGetMonitorWorkarea(monitors[i], &x, &y, &room, &rows);
+      if (walk != nullptr && holds_middle(walk, x, y, room, rows)) continue;  // the class looks at this one
       glfwSetWindowPos(window, x, y);
       glfwSetWindowSize(window, room, rows);
+      break;
     }
     main.hear(window);
     const Contexts here(window, nullptr);

@@ -61,9 +61,9 @@ void draw_met(Painter& painter, const Ring& ring, double width) {
   const bool leaves = ray.formed && ray.endless && ray.object < 0 && ray.found_at <= painter.state.walk.position;
   const Vec2d flat(ray.direction.x, ray.direction.y);
   if (!leaves || !(length(flat) > 1e-9 * length(ray.direction))) return;
-  const Vec2d at = ring.at(ring.towards(flat), width / 2);
-  painter.add(CircleItem{at, 1.1 * width, std::nullopt, painter.stroke(painter.colours.ink, 2)});
-  painter.keep_free(at, 1.1 * width);
+  const Vec2d at = ring.at(ring.towards(flat), width / 2);  // whole, though the ring runs along the edge
+  painter.add(CircleItem{at, 0.8 * width, std::nullopt, painter.stroke(painter.colours.ink, 2)});
+  painter.keep_free(at, 0.8 * width);
 }
 
 }  // namespace
