@@ -7,9 +7,14 @@ namespace raywalk::detail {
 template <class T>
 Statistics run_faulty_kernel(const World<T>& world, const RayGenerator<T>& camera, const PixelBlock& block,
                              const PutPixel<T>& put) {
-  NoObserver no_observer;
-  return run_tracer<Policy<T, NoObserver, all_hit_effects, Numerics::naive, true>>(world, camera, block, put,
-                                                                                   no_observer);
+  if constexpr (few_kernels) {
+    ForgetfulObserver observer;
+    return run_watched_faulty_kernel(world, camera, block, put, observer);
+  } else {
+    NoObserver no_observer;
+    return run_tracer<Policy<T, NoObserver, all_hit_effects, Numerics::naive, true>>(world, camera, block, put,
+                                                                                     no_observer);
+  }
 }
 
 template <class T>

@@ -98,11 +98,18 @@ inline constexpr auto kernel_sets = [] {
 }
 static_assert(
     [] {
-      for (unsigned bits = 0; bits < 1u << sizeof(HitEffects); ++bits) {
-        std::array<bool, sizeof(HitEffects)> set{};
-        for (std::size_t i = 0; i < set.size(); ++i) set[i] = (bits >> i & 1) != 0;
-        if (kernel_set_for(std::bit_cast<HitEffects>(set)) == kernel_sets.size()) return false;
-      }
+      // Each of the last ones, from occlusion on, decides alone: all together would be too many for a compiler.
+      constexpr std::size_t combined = 7;
+      for (unsigned bits = 0; bits < 1u << combined; ++bits)
+        for (std::size_t last = combined; last < sizeof(HitEffects); ++last) {
+          std::array<bool, sizeof(HitEffects)> set{};
+          for (std::size_t i = 0; i < combined; ++i) set[i] = (bits >> i & 1) != 0;
+          set[last] = true;
+          for (const bool occlusion : {false, true}) {
+            set[combined] = occlusion;
+            if (kernel_set_for(std::bit_cast<HitEffects>(set)) == kernel_sets.size()) return false;
+          }
+        }
       return true;
     }(),
     "every combination of effects has a kernel");

@@ -50,8 +50,14 @@ Statistics PhotonKernel<T>::run(const RayGenerator<T>& camera, const PhotonRange
     use(tracer.caustic_photons(), tracer.other_photons());
     return tracer.statistics();
   };
-  if (world_.numerics == Numerics::naive)
+  if constexpr (few_kernels && !Watcher::watches) {
+    if (world_.numerics == Numerics::naive) {
+      ForgetfulObserver forgetful;
+      return run<Observer>(camera, photons, block, put, forgetful, use);
+    }
+  } else if (world_.numerics == Numerics::naive) {
     return run_with.template operator()<Policy<T, Watcher, all_hit_effects, Numerics::naive>>();
+  }
   if constexpr (!Watcher::watches && !few_kernels)
     if (!world_.filters() && world_.microsurfaces.empty())
       return run_with.template operator()<Policy<T, Watcher, no_filtering_nor_facets>>();

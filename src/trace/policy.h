@@ -53,6 +53,12 @@ inline constexpr bool few_kernels = true;
 inline constexpr bool few_kernels = false;
 #endif
 
+/// Where there are to be few kernels, those that are rarely used and not watched are watched by this one, to the same
+/// bits.
+struct ForgetfulObserver final : Observer {
+  void record(Event&& /*event*/) override {}
+};
+
 /// Lights that a hit may have before the tracer asks between them whether it is cancelled: so few are soon done.
 inline constexpr std::size_t few_lights = 64;
 

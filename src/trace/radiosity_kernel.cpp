@@ -23,9 +23,14 @@ Statistics RadiosityKernel<T>::run(const RayGenerator<T>& camera, const Shooting
     tracer.main_algorithm(shooting, block, put);
     return tracer.statistics();
   };
-  if (world_.numerics == Numerics::naive)
-    return run_with.template operator()<Policy<T, Watcher, all_hit_effects, Numerics::naive>>();
-  return run_with.template operator()<Policy<T, Watcher>>();
+  if constexpr (few_kernels && !Watcher::watches) {
+    ForgetfulObserver forgetful;
+    return run<Observer>(camera, shooting, block, put, forgetful);
+  } else {
+    if (world_.numerics == Numerics::naive)
+      return run_with.template operator()<Policy<T, Watcher, all_hit_effects, Numerics::naive>>();
+    return run_with.template operator()<Policy<T, Watcher>>();
+  }
 }
 
 template <class T>

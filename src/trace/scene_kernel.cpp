@@ -16,8 +16,14 @@ Statistics run_procedure(const World<T>& world, const RayGenerator<T>& camera, c
   [[maybe_unused]] constexpr HitEffects clear{.scattering = false, .filtering = false, .microfacets = false},
       no_sky{.scattering = false, .sky = false, .filtering = false, .microfacets = false},
       neither{.nesting = false, .scattering = false, .sky = false, .filtering = false, .microfacets = false};
-  if (world.numerics == Numerics::naive)
+  if constexpr (few_kernels && !Watcher::watches) {
+    if (world.numerics == Numerics::naive) {
+      ForgetfulObserver forgetful;
+      return run_procedure<Procedure, T, Observer>(world, camera, block, put, forgetful, own...);
+    }
+  } else if (world.numerics == Numerics::naive) {
     return run_with.template operator()<Policy<T, Watcher, all_hit_effects, Numerics::naive>>();
+  }
   if constexpr (!Watcher::watches) {
     const bool filters = world.filters(), scatters = world.effects.used(Effect::scattering);
     const bool facets = !world.microsurfaces.empty();
