@@ -65,9 +65,10 @@ void LobeRoom::draw_in_plan(Painter& painter) {
   if (state.walk.mode == Mode::move) return;
   const RayRecord* ray = ray_at_hit(state);
   if (ray == nullptr) return;
-  const Scene& scene = *walked_scene(state);
-  const Material& material = scene.objects[static_cast<std::size_t>(ray->object)].material;
-  if (!material.is_rough() || !effects_of(scene, scene.render.samples).used(Effect::microfacets)) return;
+  const Material& material = state.scene().objects[static_cast<std::size_t>(ray->object)].material;
+  if (!material.is_rough()) return;
+  const auto walked = walked_scene(state);
+  if (!effects_of(*walked, walked->render.samples).used(Effect::microfacets)) return;
   const Microsurface<double> microsurface(material);
   const Bsdf<double> bsdf = bsdf_at(*ray, material, microsurface);
   const Vec3d& normal = bsdf.shading_normal;
