@@ -112,20 +112,8 @@ TEST_CASE("what glows is found in rough metals by its light and by chance alike"
 }
 
 TEST_CASE("photons and paths agree among rough metals", "[odds]") {
-  Scene scene = by_photons(metal_corner(), 60000, 40);
-  const Estimates paths = path_estimates(scene, 10, 10, 400, {12, never, PathStrategy::both});
-  double truth = 0, error = 0;
-  for (std::size_t i = 0; i < paths.mean.size(); ++i) {
-    truth += paths.mean[i].x / static_cast<double>(paths.mean.size());
-    error += paths.variance[i].x / 400 / std::pow(static_cast<double>(paths.mean.size()), 2);
-  }
-  for (const bool gather : {false, true}) {
-    scene.render.photons.gather = gather;
-    const Means photons = mean_of_pictures(scene, 10, 10, 16, 8);
-    CAPTURE(gather, truth, std::sqrt(error), photons.mean, photons.error);
-    CHECK(photons.error < 0.02 * truth);
-    CHECK(std::abs(photons.mean - truth) < 4 * (std::sqrt(error) + photons.error) + 0.01 * truth);
-  }
+  const Scene scene = by_photons(metal_corner(), 60000, 40);
+  check_against_paths(scene, path_estimates(scene, 10, 10, 400, {12, never, PathStrategy::both}));
 }
 
 TEMPLATE_TEST_CASE("watched or not, rough metals have the same bits by paths, and all of them are finite", "", float,

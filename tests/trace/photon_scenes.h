@@ -1,6 +1,8 @@
 // Photon mapping for its tests: small scenes, and what comes along single rays.
 #pragma once
 
+#include "support/catch.h"
+#include "trace/paths.h"
 #include "trace/pictures.h"
 #include "trace/sampled.h"
 #include "trace/scene_kernel.h"
@@ -60,6 +62,23 @@ inline Means mean_of_pictures(const Scene& scene, int width, int height, int sam
   for (const double value : values) squares += (value - means.mean) * (value - means.mean);
   means.error = std::sqrt(squares / (seeds - 1) / seeds);
   return means;
+}
+
+/// Photons, with and without final gathering, bring on average what paths brought to 10 x 10 pixels.
+inline void check_against_paths(Scene scene, const Estimates& paths) {
+  double truth = 0, error = 0;
+  for (std::size_t i = 0; i < paths.mean.size(); ++i) {
+    truth += paths.mean[i].x / static_cast<double>(paths.mean.size());
+    error += paths.variance[i].x / paths.samples / std::pow(static_cast<double>(paths.mean.size()), 2);
+  }
+  for (const bool gather : {false, true}) {
+    scene.render.photons.gather = gather;
+    const Means photons = mean_of_pictures(scene, 10, 10, 16, 8);
+    CAPTURE(gather, truth, std::sqrt(error), photons.mean, photons.error);
+    CHECK(photons.error < 0.02 * truth);
+    // Circles blur what is near an edge: one percent.
+    CHECK(std::abs(photons.mean - truth) < 4 * (std::sqrt(error) + photons.error) + 0.01 * truth);
+  }
 }
 
 }  // namespace raywalk::test

@@ -102,20 +102,7 @@ TEST_CASE("photons and paths agree: mirrors, glass with something matt inside, a
   scene.camera.screen = {1, 2.4, 8};
   scene.lights.clear();
   scene = by_photons(scene, 60000, 40);
-  const Estimates paths = path_estimates(scene, 10, 10, 400);
-  double truth = 0, error = 0;
-  for (std::size_t i = 0; i < paths.mean.size(); ++i) {
-    truth += paths.mean[i].x / static_cast<double>(paths.mean.size());
-    error += paths.variance[i].x / 400 / std::pow(static_cast<double>(paths.mean.size()), 2);
-  }
-  for (const bool gather : {false, true}) {
-    scene.render.photons.gather = gather;
-    const Means photons = mean_of_pictures(scene, 10, 10, 16, 8);
-    CAPTURE(gather, truth, std::sqrt(error), photons.mean, photons.error);
-    CHECK(photons.error < 0.02 * truth);
-    // Circles blur what is near an edge: one percent.
-    CHECK(std::abs(photons.mean - truth) < 4 * (std::sqrt(error) + photons.error) + 0.01 * truth);
-  }
+  check_against_paths(scene, path_estimates(scene, 10, 10, 400));
 }
 
 TEST_CASE("the caustic in a cup is a nephroid: the sum of 1 / |J| over all rays that arrive", "[odds]") {

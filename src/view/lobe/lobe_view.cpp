@@ -72,13 +72,11 @@ void LobeRoom::draw_in_plan(Painter& painter) {
   const Microsurface<double> microsurface(material);
   const Bsdf<double> bsdf = bsdf_at(*ray, material, microsurface);
   const Vec3d& normal = bsdf.shading_normal;
-  const Vec3d mirrored = bsdf.incident - 2 * dot(bsdf.incident, normal) * normal;
+  const Vec3d mirrored = reflect(bsdf.incident, normal);
   constexpr double upright = 0.2;  // what lies nearly in the plan's plane is hardly cut by it
   if (std::hypot(normal.x, normal.y) < upright) return;
   const double middle = std::atan2(normal.y, normal.x);
-  double peak = std::atan2(mirrored.y, mirrored.x);
-  while (peak - middle > pi_v<double>) peak -= 2 * pi_v<double>;
-  while (middle - peak > pi_v<double>) peak += 2 * pi_v<double>;
+  const double peak = middle + std::remainder(std::atan2(mirrored.y, mirrored.x) - middle, 2 * pi_v<double>);
   struct Sent {
     Vec2d along;
     double much;

@@ -2,6 +2,7 @@
 
 #include "scene/metals.h"
 #include "trace/microfacets.h"
+#include "trace/optics.h"
 #include "view/text/shown.h"
 #include "view/text/text.h"
 
@@ -158,7 +159,7 @@ class EquationWriter {
     const Vec3d normal = facing(*parent()), in = parent()->direction;
     // Of a rough mirror, the direction is that of a small mirror between both.
     constexpr double rounding = 1e-9;
-    const bool drawn = length(normalize(in - 2 * dot(normal, in) * normal) - formed.direction) > rounding;
+    const bool drawn = length(normalize(raywalk::reflect(in, normal)) - formed.direction) > rounding;
     const Vec3d mirror = drawn ? normalize(formed.direction - in) : normal;
     const std::string_view letter = drawn ? "H" : "N";
     row(Kind::formula, "R = D − 2 (", letter, "·D) ", letter);
