@@ -8,6 +8,7 @@
 
 #include <array>
 #include <optional>
+#include <type_traits>
 
 namespace raywalk {
 
@@ -33,11 +34,26 @@ template <class T>
   return most > 1 ? 1 / most : T(1);
 }
 
+template <class T>
+struct BsdfValue {
+  Rgb<T> value{0};  ///< f times the cosine
+  T pdf = 0;        ///< per solid angle, with which `sample` returns this direction
+};
+template <class T>
+struct BsdfSample {
+  Lobe lobe;
+  Vec3<T> direction;  ///< unit
+  Rgb<T> weight;      ///< f cos / density
+  T pdf;              ///< 0 for a sharp lobe
+};
+
 /// The BSDF of a surface at a point, for one incoming ray. Whitted's terms as a scattering function f, times the
 /// cosine: kd / pi cos, the highlight ks / pi (n.h)^s as the tracer has it for lights, kr' and kt' in one direction
-/// each or uniformly over a cone, whose part beyond the surface is folded back; or kr by small mirrors.
-template <class T>
+/// each or uniformly over a cone, whose part beyond the surface is folded back; or kr by small mirrors. `with_facets`:
+/// whether there may be small mirrors; without, nothing asks for them.
+template <class T, bool with_facets = true>
 struct Bsdf {
+  struct NoFacets {};
   Vec3<T> incident;          ///< unit, towards the surface
   Vec3<T> shading_normal;    ///< unit, facing the ray; interpolated on smooth meshes
   Vec3<T> geometric_normal;  ///< unit, facing the ray: decides what is in front of and behind the surface
@@ -45,18 +61,15 @@ struct Bsdf {
   T shininess = 0;
   Vec3<T> mirror_axis{0}, transparent_axis{0};  ///< unit
   T mirror_width = 0, transparent_width = 0;    ///< 1 - cos of the cones' half angles; 0: sharp
-  const Microsurface<T>* facets = nullptr;      ///< the small mirrors that reflect `mirror`, if any
+  /// The small mirrors that reflect `mirror`, if any.
+  [[no_unique_address]] std::conditional_t<with_facets, const Microsurface<T>*, NoFacets> facets{};
+  [[nodiscard]] const Microsurface<T>* microsurface() const {
+    if constexpr (with_facets) return facets;
+    return nullptr;
+  }
 
-  struct BsdfValue {
-    Rgb<T> value{0};  ///< f times the cosine
-    T pdf = 0;        ///< per solid angle, with which `sample` returns this direction
-  };
-  struct BsdfSample {
-    Lobe lobe;
-    Vec3<T> direction;  ///< unit
-    Rgb<T> weight;      ///< f cos / density
-    T pdf;              ///< 0 for a sharp lobe
-  };
+  using BsdfValue = raywalk::BsdfValue<T>;
+  using BsdfSample = raywalk::BsdfSample<T>;
 
   /// Sets the selection probabilities of the lobes by what each can contribute at this throughput. To be called once
   /// all members are set.
@@ -80,8 +93,9 @@ struct Bsdf {
   /// What a light's strength is multiplied by, as kd cos and ks (n.h)^s are; `direction`: unit, to the light. Small
   /// mirrors show lights that have no extent.
   [[nodiscard]] Rgb<T> highlight_of_facets(const Vec3<T>& direction) const {
-    if (facets == nullptr) return Rgb<T>(0);
-    return pi_v<T> * mirror * facets->value(facets->facets->evaluate(shading_normal, -incident, direction));
+    const Microsurface<T>* own = microsurface();
+    if (own == nullptr) return Rgb<T>(0);
+    return pi_v<T> * mirror * own->value(own->facets->evaluate(shading_normal, -incident, direction));
   }
   [[nodiscard]] Lobe sample_lobe(T u) const;
   /// Weight 0 when the sampled direction is below the horizon.
@@ -89,7 +103,7 @@ struct Bsdf {
 
  private:
   [[nodiscard]] bool sharp(Lobe lobe) const {
-    return (lobe == Lobe::mirror && mirror_width == 0 && facets == nullptr) ||
+    return (lobe == Lobe::mirror && mirror_width == 0 && microsurface() == nullptr) ||
            (lobe == Lobe::transparent && transparent_width == 0);
   }
   [[nodiscard]] bool has(Lobe lobe) const { return probability(lobe) > 0; }
@@ -112,8 +126,8 @@ struct Bsdf {
   int lobes_ = 0;
 };
 
-template <class T>
-void Bsdf<T>::prepare(const Rgb<T>& throughput) {
+template <class T, bool with_facets>
+void Bsdf<T, with_facets>::prepare(const Rgb<T>& throughput) {
   const auto contribution = [&throughput](const Rgb<T>& reflectance) { return dot(throughput, reflectance); };
   probabilities_ = {contribution(diffuse), contribution(highlight) * std::min(T(1), 8 / (shininess + 2)),
                     contribution(mirror), contribution(transparent)};
@@ -123,8 +137,8 @@ void Bsdf<T>::prepare(const Rgb<T>& throughput) {
   for (T& probability : probabilities_) probability = sum > 0 ? probability / sum : 0;
 }
 
-template <class T>
-Bsdf<T> Bsdf<T>::only(Lobe lobe) const {
+template <class T, bool with_facets>
+Bsdf<T, with_facets> Bsdf<T, with_facets>::only(Lobe lobe) const {
   Bsdf alone = *this;
   if (lobe != Lobe::diffuse) alone.diffuse = Rgb<T>(0);
   if (lobe != Lobe::highlight) alone.highlight = Rgb<T>(0);
@@ -134,8 +148,8 @@ Bsdf<T> Bsdf<T>::only(Lobe lobe) const {
   return alone;
 }
 
-template <class T>
-auto Bsdf<T>::evaluate(const Vec3<T>& direction, std::optional<Lobe> drawn) const -> BsdfValue {
+template <class T, bool with_facets>
+auto Bsdf<T, with_facets>::evaluate(const Vec3<T>& direction, std::optional<Lobe> drawn) const -> BsdfValue {
   BsdfValue at;
   if (dot(geometric_normal, direction) > 0) {
     const T cos = dot(shading_normal, direction);
@@ -154,9 +168,9 @@ auto Bsdf<T>::evaluate(const Vec3<T>& direction, std::optional<Lobe> drawn) cons
         }
       }
     }
-    if (has(Lobe::mirror) && facets != nullptr) {
-      const auto by_facets = facets->facets->evaluate(shading_normal, -incident, direction);
-      at.value += mirror * facets->value(by_facets);
+    if (const Microsurface<T>* own = microsurface(); own != nullptr && has(Lobe::mirror)) {
+      const auto by_facets = own->facets->evaluate(shading_normal, -incident, direction);
+      at.value += mirror * own->value(by_facets);
       at.pdf += probability(Lobe::mirror) * by_facets.pdf;
     } else if (has(Lobe::mirror) && !sharp(Lobe::mirror)) {
       const T pdf = cone_pdf(mirror_axis, mirror_width, direction, drawn == Lobe::mirror);
@@ -171,8 +185,8 @@ auto Bsdf<T>::evaluate(const Vec3<T>& direction, std::optional<Lobe> drawn) cons
   return at;
 }
 
-template <class T>
-Lobe Bsdf<T>::sample_lobe(T u) const {
+template <class T, bool with_facets>
+Lobe Bsdf<T, with_facets>::sample_lobe(T u) const {
   Lobe last = Lobe::diffuse;
   for (const Lobe lobe : {Lobe::diffuse, Lobe::highlight, Lobe::mirror, Lobe::transparent}) {
     if (!has(lobe)) continue;
@@ -183,8 +197,8 @@ Lobe Bsdf<T>::sample_lobe(T u) const {
   return last;  // rounding left a little
 }
 
-template <class T>
-auto Bsdf<T>::sample(Lobe lobe, const Vec2<T>& u) const -> BsdfSample {
+template <class T, bool with_facets>
+auto Bsdf<T, with_facets>::sample(Lobe lobe, const Vec2<T>& u) const -> BsdfSample {
   BsdfSample choice{lobe, Vec3<T>(0), Rgb<T>(0), 0};
   switch (lobe) {
     case Lobe::diffuse:
@@ -197,8 +211,8 @@ auto Bsdf<T>::sample(Lobe lobe, const Vec2<T>& u) const -> BsdfSample {
     case Lobe::mirror:
       choice.direction = mirror_axis;
       if (sharp(lobe)) break;
-      if (facets != nullptr) {
-        choice.direction = facets->facets->sample(shading_normal, -incident, u);
+      if (const Microsurface<T>* own = microsurface(); own != nullptr) {
+        choice.direction = own->facets->sample(shading_normal, -incident, u);
         break;
       }
       choice.direction = renormalize(Basis<T>(mirror_axis).to_world(sample_uniform_cone(u, mirror_width)));

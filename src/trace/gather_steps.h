@@ -95,8 +95,9 @@ template <class Policy>
 int PhotonTracer<Policy>::light_count_at(const EyeRay& ray, const Vertex& at) const {
   if (ray.gathers) return 0;
   const bool diffuse = !is_black(at.bsdf.diffuse);
-  const int lamps =
-      diffuse || !is_black(at.specular) || at.bsdf.facets != nullptr ? static_cast<int>(world_.lights.size()) : 0;
+  const int lamps = diffuse || !is_black(at.specular) || at.bsdf.microsurface() != nullptr
+                        ? static_cast<int>(world_.lights.size())
+                        : 0;
   if (!diffuse) return lamps;
   return lamps + (lights_.has_emitters() ? 1 : 0) + (lights_.has_environment() ? 1 : 0);
 }
@@ -157,7 +158,7 @@ std::optional<Ending> PhotonTracer<Policy>::aim_at_light(LightSample& light_samp
     point = settings_.flat ? lights_.point_in_plane(light, unit) : light.sample(unit);
   }
   to_light = light.direction_to(point, at.position);
-  const Bsdf<T>& bsdf = at.bsdf;
+  const auto& bsdf = at.bsdf;
   if (!(dot(bsdf.shading_normal, to_light) > 0) || !(dot(bsdf.geometric_normal, to_light) > 0))
     return Ending::facing_away;
   if (!light.shines_along(to_light)) return Ending::outside_cone;
@@ -308,7 +309,7 @@ void PhotonTracer<Policy>::add_light_of_photons(Rgb<T>& shade, const EyeRay& ray
 /// By mirrors, glass and highlights; with final gathering, once from a diffuse surface too.
 template <class Policy>
 auto PhotonTracer<Policy>::choose_direction(const EyeRay& ray, const Vertex& at) -> std::optional<BsdfSample> {
-  Bsdf<T> bsdf = at.bsdf;
+  auto bsdf = at.bsdf;
   if (ray.gathers || !settings_.gather) {
     bsdf.diffuse = Rgb<T>(0);
     bsdf.prepare(at.throughput);
@@ -323,7 +324,7 @@ auto PhotonTracer<Policy>::choose_direction(const EyeRay& ray, const Vertex& at)
     const Lobe lobe = bsdf.sample_lobe(u);
     Vec2<T> unit(0);
     if (bsdf.needs_direction(lobe)) {
-      const Effect effect = detail::effect_of(lobe, bsdf.facets != nullptr);
+      const Effect effect = detail::effect_of(lobe, bsdf.microsurface() != nullptr);
       unit = draw_pair<T>(camera_.sampler(), key_at(at.length, detail::PhotonDimension::direction, effect),
                           camera_.strata());
       statistics_.drew(effect, 2);

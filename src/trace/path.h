@@ -105,11 +105,12 @@ class PathTracer {
   };
   using Arrival = std::conditional_t<media, ArrivalInMedium, Nearest>;
   /// A vertex of the path: the hit, prepared with its BSDF.
-  using Vertex = std::conditional_t<media, MediumVertex<T>, SurfaceVertex<T>>;
+  static constexpr bool with_facets = Policy::effects.microfacets;
+  using Vertex = std::conditional_t<media, MediumVertex<T, with_facets>, SurfaceVertex<T, with_facets>>;
   using Free = std::conditional_t<media, FreePath<T>, Nothing>;
   /// A light sample as seen from a vertex.
   struct LightSample;
-  using BsdfSample = typename Bsdf<T>::BsdfSample;
+  using BsdfSample = raywalk::BsdfSample<T>;
 
   /// FOLLOW PATH (RTNSHADE): the light that arrives along the ray, against its direction.
   Rgb<T> follow_path(std::optional<PathRay> ray) {
@@ -199,7 +200,7 @@ class PathTracer {
     return is_inside(at) ? is_black(at.throughput) : at.bsdf.absorbs();
   }
   [[nodiscard]] static bool all_sharp(const Vertex& at) { return !is_inside(at) && at.bsdf.all_sharp(); }
-  [[nodiscard]] static typename Bsdf<T>::BsdfValue evaluate(const Vertex& at, const Vec3<T>& direction) {
+  [[nodiscard]] static BsdfValue<T> evaluate(const Vertex& at, const Vec3<T>& direction) {
     if constexpr (media) {
       if (at.phase) {
         const T value = (*at.phase)(direction);

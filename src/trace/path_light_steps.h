@@ -83,7 +83,7 @@ std::optional<Ending> PathTracer<Policy>::aim_at_light(LightSample& light_sample
     point = light.sample(unit);
   }
   to_light = light.direction_to(point, at.position);
-  const Bsdf<T>& bsdf = at.bsdf;
+  const auto& bsdf = at.bsdf;
   if (!is_inside(at) && (!(dot(bsdf.shading_normal, to_light) > 0) || !(dot(bsdf.geometric_normal, to_light) > 0)))
     return Ending::facing_away;
   if (!light.shines_along(to_light)) return Ending::outside_cone;

@@ -189,7 +189,7 @@ auto PathTracer<Policy>::choose_direction(const PathRay& ray, const Vertex& at) 
     const Lobe lobe = at.bsdf.sample_lobe(u);
     Vec2<T> unit(0);
     if (at.bsdf.needs_direction(lobe)) {
-      const Effect effect = detail::effect_of(lobe, at.bsdf.facets != nullptr);
+      const Effect effect = detail::effect_of(lobe, at.bsdf.microsurface() != nullptr);
       unit = draw_pair<T>(camera_.sampler(), key_at(at.length, detail::PathDimension::direction, effect),
                           camera_.strata());
       statistics_.drew(effect, 2);

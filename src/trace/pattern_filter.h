@@ -74,7 +74,8 @@ class FollowedDifferential {
     return filtered_pattern(world_, ray_, hit, point, time);
   }
   /// On from the hit. `refraction`: only used by what is transmitted.
-  void leave(const Bsdf<T>& at, const Refraction<T>& refraction, const typename Bsdf<T>::BsdfSample& choice) {
+  template <bool with_facets>
+  void leave(const Bsdf<T, with_facets>& at, const Refraction<T>& refraction, const BsdfSample<T>& choice) {
     if (!active_) return;
     if (choice.lobe == Lobe::mirror) ray_ = reflect(ray_, at.incident, at.shading_normal, normal_);
     if (choice.lobe == Lobe::transparent) ray_ = refract(ray_, at.incident, at.shading_normal, normal_, refraction);
@@ -102,8 +103,9 @@ struct NoDifferential {
   [[nodiscard]] Rgb<T> pattern(const Hit<T>& /*hit*/, const SurfacePoint<T>& /*point*/, T /*time*/) const {
     return Rgb<T>(1);
   }
-  void leave(const Bsdf<T>& /*at*/, const Refraction<T>& /*refraction*/,
-             const typename Bsdf<T>::BsdfSample& /*choice*/) {}
+  template <bool with_facets>
+  void leave(const Bsdf<T, with_facets>& /*at*/, const Refraction<T>& /*refraction*/, const BsdfSample<T>& /*choice*/) {
+  }
 };
 
 }  // namespace raywalk

@@ -118,20 +118,21 @@ void PhotonTracer<Policy>::store_photon(const PhotonRay& photon, const Vertex& a
 template <class Policy>
 auto PhotonTracer<Policy>::adjoint(const Vertex& at, Lobe lobe, const Vec3<T>& direction) const -> T {
   const Vec3<T>&geometric = at.bsdf.geometric_normal, &shading = at.bsdf.shading_normal;
-  const T in = std::abs(dot(at.bsdf.incident, geometric)), out = std::abs(dot(direction, geometric));
+  const auto in = [&](const Vec3<T>& normal) { return std::abs(dot(at.bsdf.incident, normal)); };
+  const auto out = [&](const Vec3<T>& normal) { return std::abs(dot(direction, normal)); };
   // Of a scattering function that is the same both ways, about the shading normal.
   const auto both_ways = [&] {
     if (shading == geometric) return T(1);
-    return std::abs(dot(at.bsdf.incident, shading)) * out / (in * std::abs(dot(direction, shading)));
+    return in(shading)*out(geometric) / (in(geometric)*out(shading));
   };
   switch (lobe) {
     case Lobe::diffuse:
       return both_ways();
     case Lobe::highlight:
-      return out / in;
+      return out(geometric) / in(geometric);
     case Lobe::mirror:
-      if (at.bsdf.facets != nullptr) return both_ways();
-      return at.bsdf.mirror_width > 0 ? out / in : T(1);
+      if (at.bsdf.microsurface() != nullptr) return both_ways();
+      return at.bsdf.mirror_width > 0 ? out(geometric) / in(geometric) : T(1);
     case Lobe::transparent: {
       const T ratio = at.refraction.n1 / at.refraction.n2;
       return settings_.flat ? ratio : ratio * ratio;
@@ -157,7 +158,7 @@ auto PhotonTracer<Policy>::choose_photon_direction(const PhotonRay& photon, cons
     if (at.bsdf.needs_direction(lobe)) {
       unit.x = random_unit<T>(key_at(at.length, detail::PhotonDimension::direction));
       unit.y = random_unit<T>(key_at(at.length, detail::PhotonDimension::direction + 1));
-      statistics_.drew(detail::effect_of(lobe, at.bsdf.facets != nullptr), 2);
+      statistics_.drew(detail::effect_of(lobe, at.bsdf.microsurface() != nullptr), 2);
     }
     choice = sample_alone(at.bsdf, lobe, unit);
     choice->weight *= adjoint(at, lobe, choice->direction) / at.bsdf.probability(lobe);
@@ -217,8 +218,8 @@ auto PhotonTracer<Policy>::form_next_photon(const PhotonRay& photon, const Verte
 }
 
 template <class Policy>
-auto PhotonTracer<Policy>::sample_alone(const Bsdf<T>& bsdf, Lobe lobe, const Vec2<T>& unit) const -> BsdfSample {
-  const Bsdf<T> alone = bsdf.only(lobe);
+auto PhotonTracer<Policy>::sample_alone(const SurfaceBsdf& bsdf, Lobe lobe, const Vec2<T>& unit) const -> BsdfSample {
+  const SurfaceBsdf alone = bsdf.only(lobe);
   if (!settings_.flat || !alone.needs_direction(lobe)) return alone.sample(lobe, unit);
   if (lobe == Lobe::diffuse) {
     // Lambert's cosine in the plane: the sine is uniform.

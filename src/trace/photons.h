@@ -91,9 +91,10 @@ class PhotonTracer {
  private:
   using Medium = typename World<T>::Medium;
   using Light = typename World<T>::Light;
-  using Vertex = SurfaceVertex<T>;
+  using Vertex = SurfaceVertex<T, Policy::effects.microfacets>;
+  using SurfaceBsdf = Bsdf<T, Policy::effects.microfacets>;
   using Nearest = std::optional<Hit<T>>;
-  using BsdfSample = typename Bsdf<T>::BsdfSample;
+  using BsdfSample = raywalk::BsdfSample<T>;
   /// A photon on its way.
   struct PhotonRay {
     Ray ray;
@@ -198,7 +199,8 @@ class PhotonTracer {
   bool decide_diffuse(const PhotonRay& photon, const Vertex& at);
   void store_photon(const PhotonRay& photon, const Vertex& at);
   std::optional<BsdfSample> choose_photon_direction(const PhotonRay& photon, const Vertex& at);
-  [[nodiscard]] T adjoint(const Vertex& at, Lobe lobe, const Vec3<T>& direction) const;
+  /// Inlined, for each photon asks it at each hit.
+  [[nodiscard, gnu::always_inline]] inline T adjoint(const Vertex& at, Lobe lobe, const Vec3<T>& direction) const;
   T decide_photon_survival(const PhotonRay& photon, const Vertex& at, const std::optional<BsdfSample>& choice);
   PhotonRay form_next_photon(const PhotonRay& photon, const Vertex& at, const BsdfSample& choice, T survival);
 
@@ -226,7 +228,7 @@ class PhotonTracer {
   void put_in_pixel(const Pixel& pixel, const Rgb<T>& final, Put& put);
 
   /// A direction of this lobe alone, and its weight without the chance of the lobe.
-  [[nodiscard]] BsdfSample sample_alone(const Bsdf<T>& bsdf, Lobe lobe, const Vec2<T>& unit) const;
+  [[nodiscard]] BsdfSample sample_alone(const SurfaceBsdf& bsdf, Lobe lobe, const Vec2<T>& unit) const;
   /// The integral of the cosine over all directions above a surface.
   [[nodiscard]] T cosines() const { return settings_.flat ? T(2) : pi_v<T>; }
 

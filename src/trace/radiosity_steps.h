@@ -184,7 +184,7 @@ auto RadiosityTracer<Policy>::look_up_light(const EyeRay& ray, const Nearest& ne
     });
     return seen;
   }
-  const SurfaceVertex<T> at = prepare_vertex<Policy>(world_, nested_, ray, *nearest, statistics_, differential_);
+  const auto at = prepare_vertex<Policy>(world_, nested_, ray, *nearest, statistics_, differential_);
   const Patches::Place place =
       patches_.place_of(nearest->primitive, Vec3d(at.position), Vec3d(at.bsdf.geometric_normal));
   const Rgbd irradiance = irradiance_.at(place);

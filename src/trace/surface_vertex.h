@@ -31,8 +31,8 @@ namespace detail {
 
 }  // namespace detail
 
-/// A vertex of a path from the eye or of a photon's way from a light.
-template <class T>
+/// A vertex of a path from the eye or of a photon's way from a light. `with_facets`: see Bsdf.
+template <class T, bool with_facets = true>
 struct SurfaceVertex {
   using Surface = typename World<T>::Surface;
   using Medium = typename World<T>::Medium;
@@ -49,7 +49,7 @@ struct SurfaceVertex {
   Rgb<T> throughput;         ///< the factor with which light that leaves here against the ray contributes to the pixel
   Rgb<T> specular;           ///< ks, for the lights' highlights
   Refraction<T> refraction;  ///< only set where the surface transmits
-  Bsdf<T> bsdf;
+  Bsdf<T, with_facets> bsdf;
 };
 
 /// Multiplies a colour of the surface, such as its diffuse one, by what checker and texture have at a point.
@@ -68,15 +68,16 @@ template <class T>
 /// `AnyRay`: a ray with its number, length, throughput and medium. `nested`: the media where bodies nest.
 /// `differential`: the ray's, which is transferred to the hit (trace/pattern_filter.h).
 template <class Policy, class T, class AnyRay, class Nested, class Differential>
-SurfaceVertex<T> prepare_vertex(const World<T>& world, [[maybe_unused]] Nested& nested, const AnyRay& ray,
-                                const Hit<T>& hit, [[maybe_unused]] Statistics& statistics,
-                                Differential& differential) {
+SurfaceVertex<T, Policy::effects.microfacets> prepare_vertex(const World<T>& world, [[maybe_unused]] Nested& nested,
+                                                             const AnyRay& ray, const Hit<T>& hit,
+                                                             [[maybe_unused]] Statistics& statistics,
+                                                             Differential& differential) {
   using Surface = typename World<T>::Surface;
   using Medium = typename World<T>::Medium;
   const Primitives<T>& primitives = world.accelerator.primitives();
   const Surface& surface = world.surface(hit.primitive);
   const SurfacePoint<T> point = primitives.surface_at(hit.primitive, ray.ray, Intersection<T>{hit.t, hit.part});
-  SurfaceVertex<T> at;
+  SurfaceVertex<T, Policy::effects.microfacets> at;
   at.departure = {hit.primitive, hit.part};
   at.position = point.position;
   at.outward_normal = point.normal;
@@ -98,7 +99,7 @@ SurfaceVertex<T> prepare_vertex(const World<T>& world, [[maybe_unused]] Nested& 
     }
   }
   if (const auto left = transmittance_to_hit(through, surface, at.entering, hit.t)) at.throughput *= *left;
-  Bsdf<T>& bsdf = at.bsdf;
+  auto& bsdf = at.bsdf;
   bsdf.incident = ray.ray.direction;
   bsdf.shading_normal = bsdf.geometric_normal = at.entering ? point.normal : -point.normal;
   if (const auto smooth = primitives.smooth_normal(hit.primitive, point, at.time))
