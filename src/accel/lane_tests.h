@@ -65,12 +65,15 @@ RAYWALK_LANE_TARGET inline Group largest(Group a, Group b, Group c) {
 /// A bit for each of the pack's first `count` lanes, unless the ray certainly misses its triangle or reaches it only
 /// beyond `t_far`.
 ///
-/// The test is that of shape/triangle.h. With h = 2^-24, half an ulp of 1, a corner's x or y errs by at most
-/// 3h|x| + 6h|z| + 4h|o|: h each of x and z by the difference; where positions are in double, h each of x, z and twice
-/// of the origin by rounding them to float; 2h|z| by the shear, whose terms are at most 1, and its product; h|x| by the
-/// last difference. Twice that is taken. An edge function, the difference of two products of such coordinates, then
-/// errs by less than 4 * across * that: it can be larger only where across is at least twice as large as the corner's
-/// error, which bounds the product of two errors. Below the smallest normal float all rounding is less than `grain` and
+/// The test is that of shape/triangle.h. With h = 2^-24, half an ulp of 1, a corner's x or y errs by at most 3h|x| +
+/// 6h|z| + 4h|o|: h each of x and z by the difference; where positions are in double, h each of x, z and twice of the
+/// origin by rounding them to float; 2h|z| by the shear, whose terms are at most 1, and its product; h|x| by the last
+/// difference. Twice that is taken. An edge function, the difference of two products of such coordinates, then errs by
+/// less than 4 * across * that: it can be larger only where across is at least twice as large as the corner's error,
+/// which bounds the product of two errors. Their sum weighs the corners' z to the triangle's own on the ray: each of
+/// three products errs by at most error (depth + corner_error) + 2 across^2 corner_error, that is error (depth + across
+/// / 2 + corner_error), and by rounding, which the fourth part of `slack` has room for. The area, three times an edge
+/// function's error, can be trusted from four on. Below the smallest normal float all rounding is less than `grain` and
 /// `least` account for. Where something leaves float's range, or is NaN, no comparison is true, and nothing is ruled
 /// out.
 RAYWALK_LANE_TARGET inline unsigned sift(const HeldRay& held, const TrianglePack& pack, unsigned count) {
@@ -91,9 +94,16 @@ RAYWALK_LANE_TARGET inline unsigned sift(const HeldRay& held, const TrianglePack
     // The interval of the triangle's depth along the ray; t is computed to within less than the triangle's own extent.
     const Group forward = all_of(ray.forward), az = a.z * forward, bz = b.z * forward, cz = c.z * forward;
     const Group nearest = min(az, min(bz, cz)), farthest = max(az, max(bz, cz));
+    const Group margin = corner_error + corner_error, reach = all_of(held.reach);
     const auto behind = farthest < -corner_error;
-    const auto beyond = nearest - (farthest - nearest) > all_of(held.reach) + (corner_error + corner_error);
-    missed |= bits_where(behind | beyond) << lane;
+    const auto beyond = nearest - (farthest - nearest) > reach + margin;
+    // Where the triangle is seen broadly enough, its depth on the ray itself, times its area.
+    const Group area = absolute(u + v + w), wide = area + all_of(4) * error;
+    const Group at = with_signs_of(u + v + w, all_of(1)) * (u * az + v * bz + w * cz);
+    const Group slack = all_of(4) * error * (across + depth + corner_error) + margin * wide + all_of(least);
+    const auto broad = area > all_of(4) * error;
+    const auto off = (at < -slack) | (at - slack > reach * wide);
+    missed |= bits_where(behind | beyond | (broad & off)) << lane;
   }
   return ~missed & all;
 }

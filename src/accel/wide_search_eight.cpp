@@ -30,6 +30,9 @@ RAYWALK_LANE_TARGET inline void store_entries(BoxEntry* entries, unsigned /*lane
 RAYWALK_LANE_TARGET inline Group min(Group a, Group b) { return _mm256_min_ps(a, b); }
 RAYWALK_LANE_TARGET inline Group max(Group a, Group b) { return _mm256_max_ps(a, b); }
 RAYWALK_LANE_TARGET inline Group absolute(Group a) { return _mm256_andnot_ps(_mm256_set1_ps(-0.0F), a); }
+RAYWALK_LANE_TARGET inline Group with_signs_of(Group signs, Group a) {
+  return _mm256_or_ps(a, _mm256_and_ps(signs, _mm256_set1_ps(-0.0F)));
+}
 template <class Mask>
 RAYWALK_LANE_TARGET inline unsigned bits_where(Mask mask) {
   return static_cast<unsigned>(_mm256_movemask_ps(reinterpret_cast<Group>(mask)));

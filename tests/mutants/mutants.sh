@@ -117,6 +117,8 @@ mutant lanes_beyond_floats_range accel accel/float_slabs.h 'slope == 0 || (slope
 mutant triangles_ruled_out_without_error accel accel/lane_tests.h 'all_of(4) * across * corner_error' \
   'all_of(-4) * across * corner_error'
 mutant triangles_beyond_too_early accel accel/lane_tests.h 'nearest - (farthest - nearest) > ' 'nearest + nearest > '
+mutant triangles_behind_too_early accel accel/lane_tests.h '(at < -slack)' '(at < slack)'
+mutant triangles_beyond_without_slack accel accel/lane_tests.h 'at - slack > reach * wide' 'at + slack > reach * area'
 mutant grid_leaves_by_the_farthest accel accel/grid.h 'leave[0] <= leave[1] ? (leave[0] <= leave[2]' \
   'leave[0] >= leave[1] ? (leave[0] <= leave[2]'
 
