@@ -8,6 +8,7 @@
 #include "app/statistics_json.h"
 #include "image/image_file.h"
 #include "image/quick_image.h"
+#include "scene/cone_limits.h"
 #include "scene/warnings.h"
 #include "text/file.h"
 #include "trace/patches.h"
@@ -146,6 +147,9 @@ ExitCode render_command(const RenderOptions& options) {
   scene.limits.threshold = options.threshold.value_or(scene.limits.threshold);
   RenderChoices& choices = scene.render;
   choices.integrator = options.integrator.value_or(choices.integrator);
+  if (const std::string why = why_no_cones(scene); choices.integrator == Integrator::cones && !why.empty())
+    return fail({scene_path(options.scene), 0, 0, "cones cannot be followed here: " + why,
+                 "--integrator distributed --spp 64 takes samples instead"});
   choices.samples = options.corner_samples ? 1 : options.samples.value_or(choices.samples);
   choices.sampler = options.sampler.value_or(choices.sampler);
   choices.numerics = options.numerics.value_or(choices.numerics);

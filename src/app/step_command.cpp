@@ -2,6 +2,7 @@
 
 #include "app/scene_lookup.h"
 #include "app/texts.h"
+#include "scene/cone_limits.h"
 #include "timeline/recorder.h"
 #include "trace/outlines.h"
 #include "trace/recursion.h"
@@ -76,6 +77,16 @@ std::optional<Error> why_no_beam(const StepOptions& options, const Scene& scene)
   return std::nullopt;
 }
 
+/// Why cones that are asked for cannot be walked.
+std::optional<Error> why_no_cone(const StepOptions& options, const Scene& scene) {
+  if (scene.render.integrator != Integrator::cones) return std::nullopt;
+  const std::string hint = "--integrator distributed takes samples";
+  if (const std::string why = why_no_cones(scene); !why.empty())
+    return Error{options.scene, 0, 0, "cones cannot be followed here: " + why, hint};
+  if (options.fault) return Error{options.scene, 0, 0, "faults are those of rays, not of cones", hint};
+  return std::nullopt;
+}
+
 /// More would fill about half a gigabyte.
 constexpr double max_steps = 1'000'000;
 
@@ -121,6 +132,7 @@ ExitCode step_command(const StepOptions& options) {
   if (const auto error = why_no_pixel(options, scene, size)) return refuse(*error);
 
   if (const auto error = why_no_beam(options, scene)) return fail(*error);
+  if (const auto error = why_no_cone(options, scene)) return fail(*error);
   if (const auto error = why_too_deep(scene.limits.depth)) return fail(*error);
   if (const auto error = why_no_room(scene, scene_path(options.scene), options.precision)) return fail(*error);
   Result<Timeline> recorded = record_within_reason(options, scene, size);

@@ -41,12 +41,12 @@ template <class T, class AnyRay>
 }
 
 /// Ray number `ray` of the recording, retraced from the eye through its ancestors; none if one of them misses, or is a
-/// beam.
+/// beam or a cone.
 template <class T>
 [[nodiscard]] std::optional<RayTwins<T>> retraced_ray(const World<T>& world, const RayGenerator<T>& camera,
                                                       const Timeline& timeline, int ray) {
   const auto record = [&](int number) -> const RayRecord& { return timeline.rays()[static_cast<std::size_t>(number)]; };
-  if (timeline.of_beams()) return std::nullopt;
+  if (timeline.has_width()) return std::nullopt;
   std::vector<int> way;
   for (int each = ray; each >= 0; each = record(each).parent) way.push_back(each);
   const PixelRecord& pixel = timeline.pixels()[static_cast<std::size_t>(record(ray).pixel)];

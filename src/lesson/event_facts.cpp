@@ -99,9 +99,9 @@ Value factor(const Moment& at, Of of) {
   return found != nullptr ? Value(of(*found)) : Value(Nothing{});
 }
 
-/// Of beam tracing: the part that the line is about; null if none.
+/// Of beam or cone tracing: the part that the line is about; null if none.
 const RayRecord* part_of(const Moment& at) {
-  const int part = at.timeline.of_beams() ? at.timeline.part_of(at.timeline.current_ray(at.position)) : -1;
+  const int part = at.timeline.has_width() ? at.timeline.part_of(at.timeline.current_ray(at.position)) : -1;
   return part < 0 ? nullptr : &at.timeline.rays()[static_cast<std::size_t>(part)];
 }
 

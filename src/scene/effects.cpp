@@ -1,5 +1,7 @@
 #include "scene/effects.h"
 
+#include "scene/cone_limits.h"
+
 #include <algorithm>
 #include <functional>
 #include <type_traits>
@@ -57,13 +59,13 @@ EffectUse reflection(const Scene& scene, Integrator integrator) {
 
 EffectUse gloss(const Scene& scene, Integrator integrator) {
   const EffectUse use = use_if(scene, &Material::is_glossy, "has a rough reflection", "every mirror is sharp");
-  return use.used && !draws_random(integrator) ? left_out(integrator, "takes every mirror as sharp") : use;
+  return use.used && !has_extents(integrator) ? left_out(integrator, "takes every mirror as sharp") : use;
 }
 
 EffectUse translucency(const Scene& scene, Integrator integrator) {
   const EffectUse use =
       use_if(scene, &Material::is_translucent, "scatters what it transmits", "every transmitter is clear");
-  return use.used && !draws_random(integrator) ? left_out(integrator, "takes every transmitter as clear") : use;
+  return use.used && !has_extents(integrator) ? left_out(integrator, "takes every transmitter as clear") : use;
 }
 
 /// A scene may be lit by emitting objects only. It then has soft shadows, but not from a light.
@@ -78,7 +80,7 @@ EffectUse penumbra(const Scene& scene, Integrator integrator) {
   const Light* area = first_light(scene, is_area);
   if (area == nullptr) return {false, "none: every light is a point or a direction"};
   if (scene.objects.empty()) return {false, "none: nothing casts or catches a shadow"};
-  if (draws_random(integrator)) return {true, area->name + " has an extent"};
+  if (has_extents(integrator)) return {true, area->name + " has an extent"};
   area = first_light(scene, [&](const Light& light) { return light_grid_of(scene, light) > 1; });
   if (area == nullptr) return left_out(integrator, "takes every light from its middle");
   const std::string grid = std::to_string(light_grid_of(scene, *area));
@@ -98,7 +100,8 @@ EffectUse motion_blur(const Scene& scene, Integrator integrator) {
   return {true, mover->name + " moves while the shutter is open"};
 }
 
-EffectUse antialiasing(int samples_per_pixel) {
+EffectUse antialiasing(int samples_per_pixel, Integrator integrator) {
+  if (traits_of(integrator).has_width) return {true, "a pixel is a cone as wide as itself"};
   if (samples_per_pixel <= 1) return {false, "none: one sample in the centre of each pixel"};
   return {true, std::to_string(samples_per_pixel) + " samples are taken in each pixel"};
 }
@@ -160,7 +163,8 @@ EffectUse shadows(const Scene& scene, Integrator integrator) {
 
 Integrator integrator_of(const Scene& scene, int samples_per_pixel) {
   const Integrator chosen = scene.render.integrator;
-  if (chosen != Integrator::automatic && !traits_of(chosen).is_flat) return chosen;
+  const bool cannot = chosen == Integrator::cones && !why_no_cones(scene).empty();
+  if (chosen != Integrator::automatic && !traits_of(chosen).is_flat && !cannot) return chosen;
   const Integrator whole = Integrator::distributed;
   const bool calls = samples_per_pixel > 1 || gloss(scene, whole).used || translucency(scene, whole).used ||
                      penumbra(scene, whole).used || depth_of_field(scene, whole).used ||
@@ -185,7 +189,7 @@ Effects effects_of(const Scene& scene, int samples_per_pixel) {
   effects[Effect::penumbra] = penumbra(scene, integrator);
   effects[Effect::depth_of_field] = depth_of_field(scene, integrator);
   effects[Effect::motion_blur] = motion_blur(scene, integrator);
-  effects[Effect::antialiasing] = antialiasing(samples_per_pixel);
+  effects[Effect::antialiasing] = antialiasing(samples_per_pixel, integrator);
   effects[Effect::indirect_light] = indirect_light(scene, integrator);
   effects[Effect::sky] = sky(scene);
   effects[Effect::scattering] = scattering(scene, integrator);

@@ -21,6 +21,7 @@ enum class Integrator {
   photons,      ///< the same by photon mapping (Jensen 1996)
   radiosity,    ///< light between matt surfaces, from patch to patch (Goral et al. 1984)
   beams,        ///< all rays of a pixel at once, in the plan (Heckbert and Hanrahan 1984)
+  cones,        ///< a pixel as one cone, and how much of it each object covers (Amanatides 1984)
 };
 /// What is to be known of an integrator before it runs. Its procedure is in trace.
 struct IntegratorTraits {
@@ -31,6 +32,7 @@ struct IntegratorTraits {
   bool is_global = false;     ///< surfaces light each other
   bool is_recursive = true;   ///< follows rays beyond the first hit
   bool is_flat = false;       ///< walks the strip only, in a flat world; the picture is as for `automatic`
+  bool has_width = false;     ///< what is followed is as wide as a pixel, a lobe or a light; it has no lens
 };
 /// All integrators, in the order of the enumeration: files, options and menus offer them from here.
 inline constexpr std::array integrators{
@@ -61,7 +63,11 @@ inline constexpr std::array integrators{
     IntegratorTraits{.integrator = Integrator::beams,
                      .name = "beams",
                      .follows = "all rays of a pixel at once, in the plan only",
-                     .is_flat = true}};
+                     .is_flat = true},
+    IntegratorTraits{.integrator = Integrator::cones,
+                     .name = "cones",
+                     .follows = "a pixel as one cone: soft shadows, gloss and translucency without samples",
+                     .has_width = true}};
 [[nodiscard]] constexpr const IntegratorTraits& traits_of(Integrator integrator) {
   return integrators[static_cast<std::size_t>(integrator)];
 }

@@ -29,6 +29,8 @@ class EventWriter {
     light(formed.light);
     if (formed.light_sample > 0) to_["light_sample"] = formed.light_sample;
     if (formed.snell) snell(*formed.snell);
+    if (formed.radius != 0 || formed.end_radius != 0)
+      to_["radius"] = formed.radius, to_["end_radius"] = formed.end_radius;
   }
 
   void operator()(const RayNotFormed& stub) const {
@@ -243,6 +245,7 @@ class EventWriter {
     to_["apex"] = triple(formed.apex);
     to_["begin"] = formed.begin;
     to_["end"] = formed.end;
+    if (formed.radius != 0 || formed.spread != 0) to_["radius"] = formed.radius, to_["spread"] = formed.spread;
     to_["share"] = triple(formed.throughput);
   }
 

@@ -3,6 +3,7 @@
 #include "math/elementary.h"
 #include "math/overloaded.h"
 #include "timeline/beam_message.h"
+#include "timeline/cone_message.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,6 +29,8 @@ class Describer {
     if (event == nullptr) return {"walk.start", {}};
     if (timeline_.of_beams())
       if (auto message = beam_message(scene_, timeline_, position_)) return std::move(*message);
+    if (timeline_.of_cones())
+      if (auto message = cone_message(scene_, timeline_, position_)) return std::move(*message);
     return std::visit([&](const auto& detail) { return describe(*event, detail); }, event->detail);
   }
 
@@ -49,7 +52,7 @@ class Describer {
   [[nodiscard]] bool came_from_outside() const { return dot(shaded_ray().normal, shaded_ray().direction) < 0; }
   /// The object whose surface the executing SHADE shades, or at which FOLLOW PATH stands.
   [[nodiscard]] std::string shaded() const {
-    if (timeline_.of_beams()) return object(ray(timeline_.part_of(timeline_.current_ray(position_))).object);
+    if (timeline_.has_width()) return object(ray(timeline_.part_of(timeline_.current_ray(position_))).object);
     if (!timeline_.of_paths()) return object(shaded_ray().object);
     const RayRecord& at = current();
     const bool leaves = at.kind == RayKind::shadow || at.formed_at == position_;
@@ -100,7 +103,7 @@ class Describer {
         if (formed.light < 0) return {"walk.photon_from_object", {{"power", max_component(formed.throughput)}}};
         return {"walk.photon_emitted", {{"light", light(formed.light)}, {"power", max_component(formed.throughput)}}};
       case RayKind::beam:
-        break;  // told by beam_message
+        break;  // told by beam_message and cone_message
     }
     return {};
   }
@@ -432,7 +435,7 @@ class Describer {
     if (looked.patch < 0) return {"walk.looked_up_dark", {{"object", object(met)}, {"colour", looked.shade}}};
     return {"walk.looked_up", {{"object", object(met)}, {"irradiance", looked.irradiance}, {"colour", looked.shade}}};
   }
-  // Told by beam_message.
+  // Told by beam_message and cone_message.
   [[nodiscard]] Message describe(const Event& /*event*/, const BeamFormed& /*formed*/) const { return {}; }
   [[nodiscard]] Message describe(const Event& /*event*/, const BeamCut& /*cut*/) const { return {}; }
   [[nodiscard]] Message describe(const Event& /*event*/, const PartBegun& /*begun*/) const { return {}; }

@@ -34,6 +34,7 @@ Timeline record_in(const Scene& scene, ImageSize size, ImageSize whole, const Pi
   Timeline timeline = recorder.take(size);
   if (kernel.photons()) timeline.set_photons(kernel.photons()->shared_maps(), flat);
   if (kernel.radiosity()) timeline.set_patches(kernel.radiosity()->patches(), flat);
+  if (kernel.has_flat_cones()) timeline.set_flat();
   return timeline;
 }
 

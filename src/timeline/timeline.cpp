@@ -64,6 +64,7 @@ Timeline::Timeline(std::vector<Event> events, ImageSize image) : image_(image), 
               record.endless = !formed.light_at_end;
               record.end = formed.origin + (record.endless ? normalize(formed.direction) : formed.direction);
               record.light = formed.light;
+              record.radius = formed.radius, record.end_radius = formed.end_radius;
               record.throughput = formed.throughput;
               record.found_at = static_cast<int>(events_.size()) + 1;
               add_ray(record);
@@ -209,6 +210,10 @@ Timeline::Timeline(std::vector<Event> events, ImageSize image) : image_(image), 
               record.parent = parent_of(formed.parent);
               record.origin = formed.area.starts.front();
               record.end = formed.area.ends.front();
+              if (of_cones()) {  // along its axis
+                record.origin = (record.origin + formed.area.starts.back()) / 2.0;
+                record.end = (record.end + formed.area.ends.back()) / 2.0;
+              }
               record.direction = normalize(record.end - record.origin);
               record.endless = true;
               record.throughput = formed.throughput;

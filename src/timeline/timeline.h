@@ -38,12 +38,13 @@ struct RayRecord {
   int light = -1;           ///< shadow rays, photons: index in Scene::lights
   Rgbd throughput{1.0};     ///< at most this fraction of its radiance reaches the pixel
   Rgbd transmittance{1.0};  ///< shadow rays: of filtering objects
-  int beam = -1;            ///< index in beams(): a beam or a part of one
+  int beam = -1;            ///< index in beams(): a beam, a cone or a part of one
+  double radius = 0, end_radius = 0;  ///< shadow cones: where they start, and at the light
   int formed_at = 0;        ///< position from which it is drawn
   int found_at = 0;         ///< position from which its end is known
 };
 
-/// One execution of SHADE, FOLLOW PATH, FOLLOW PHOTON, GATHER LIGHT or SHADE PARTS.
+/// One execution of SHADE, FOLLOW PATH, FOLLOW PHOTON, GATHER LIGHT, SHADE PARTS or SHADE CONE.
 struct FrameRecord {
   int parent = -1;  ///< index in frames() of the suspended caller; -1 when MAIN ALGORITHM or PATH TRACING called
   int depth = 1;
@@ -52,11 +53,11 @@ struct FrameRecord {
   Rgbd returned{0.0};                  ///< RTNSHADE
 };
 
-/// A beam, or a part that sees one thing.
+/// A beam or a cone, or a part that sees one thing.
 struct BeamRecord {
   BeamArea area;
   double begin = 0, end = 1;  ///< in the pixel's width
-  double coverage = 1;        ///< of the pixel
+  double coverage = 1;        ///< of the pixel; of a part of a cone: its share of that cone
   int parts = 0;              ///< that a beam was cut into; 0: this is a part
   int begun_at = 0;           ///< position from which a part is shaded
   int added_at = 0;           ///< and from which its shade is known
@@ -88,6 +89,10 @@ class Timeline {
   [[nodiscard]] bool of_radiosity() const { return pseudocode().lines.front().line == Line::cut_patches; }
   /// Whether it is a recording of BEAM TRACING.
   [[nodiscard]] bool of_beams() const { return pseudocode().lines.front().line == Line::beam_for_each_pixel; }
+  /// Whether it is a recording of CONE TRACING.
+  [[nodiscard]] bool of_cones() const { return pseudocode().lines.front().line == Line::cone_for_each_pixel; }
+  /// Whether what it follows has a width: of one of these two.
+  [[nodiscard]] bool has_width() const { return of_beams() || of_cones(); }
   /// The pseudocode whose lines it walks.
   [[nodiscard]] const Pseudocode& pseudocode() const {
     return events_.empty() ? pseudocodes.front() : pseudocode_with(events_.front().line);
@@ -108,6 +113,7 @@ class Timeline {
   [[nodiscard]] int all_photons_at() const { return all_photons_at_; }
   /// Whether it runs in a flat world.
   [[nodiscard]] bool is_flat() const { return flat_ || of_beams(); }
+  void set_flat() { flat_ = true; }
   /// Of RADIOSITY; else null.
   [[nodiscard]] const Patches* patches() const { return patches_.get(); }
   void set_patches(std::shared_ptr<const Patches> patches, bool flat) {

@@ -100,6 +100,7 @@ struct RayFormed {
   bool light_at_end = false;            ///< shadow rays: origin + direction is the light itself
   std::optional<SnellNumbers> snell{};  ///< refract rays
   int light_sample = 0;                 ///< shadow rays: which of the points of a light with an extent
+  double radius = 0, end_radius = 0;    ///< shadow cones: where they start, and at the light
 };
 
 /// form_*_ray when a limit, or a light behind the surface, prevents it. `direction`: where it would have gone.
@@ -352,7 +353,7 @@ struct LightLookedUp {
   Rgbd irradiance, albedo, emission, shade;
 };
 
-// Beam tracing only, from here on. Places in the pixel's width go from 0 to 1.
+// Beam and cone tracing only, from here on. Places in the pixel's width go from 0 to 1.
 
 /// The rays between two places, as they are drawn: from where they start to where they end; as many of each. A beam
 /// that meets nothing ends far outside.
@@ -360,7 +361,7 @@ struct BeamArea {
   std::vector<Vec3d> starts, ends;
 };
 
-/// form_beam, form_mirrored_beam.
+/// form_beam, form_mirrored_beam, form_cone and its like.
 struct BeamFormed {
   int ray;     ///< number of the beam, among the rays of this recording
   int parent;  ///< the part that was mirrored; -1 for a pixel's beam
@@ -368,6 +369,7 @@ struct BeamFormed {
   double begin, end;
   BeamArea area;
   Rgbd throughput;
+  double radius = 0, spread = 0;  ///< cones: where they start, and how fast that grows (trace/ray_cone.h)
 };
 
 /// A part of a beam. `object`: index in Scene::objects, what all of it sees; -1: nothing.
@@ -375,17 +377,17 @@ struct BeamPiece {
   int ray;  ///< number of the part
   int object;
   double begin, end;
-  double coverage;  ///< of the pixel: the width between these two places, to the last bit
+  double coverage;  ///< of the pixel: the width between these two places, to the last bit. Of a cone: its share of it
   BeamArea area;
   Vec3d origin, point, normal;  ///< of the ray in its middle; `point`, `normal`: if it sees something
 };
-/// cut_beam, cut_mirrored_beam.
+/// cut_beam, cut_mirrored_beam, find_cover and its like.
 struct BeamCut {
   int ray;
   std::vector<BeamPiece> pieces;
 };
 
-/// for_each_part.
+/// for_each_part, for_each_cover.
 struct PartBegun {
   int ray, number, count;  ///< the part, and its number, from 0, of as many
   double coverage;
@@ -400,7 +402,7 @@ struct PartShaded {
   Rgbd total;
 };
 
-/// add_part.
+/// add_part, add_share.
 struct PartAdded {
   int ray;
   Rgbd local, reflect, refract;  ///< local: of shade_middle; kr' I(reflect) and kt' I(refract)

@@ -8,7 +8,8 @@
 
 namespace raywalk {
 
-/// The procedures of the tracer, of path tracing, of photon mapping, of radiosity, and of beam tracing.
+/// The procedures of the tracer, of path tracing, of photon mapping, of radiosity, of beam tracing, and of cone
+/// tracing.
 enum class Procedure {
   main_algorithm,
   shade,
@@ -21,6 +22,8 @@ enum class Procedure {
   shoot_light,
   beam_tracing,
   shade_parts,
+  cone_tracing,
+  shade_cone,
 };
 template <>
 inline constexpr Word<Procedure> words_of<Procedure>[] = {{Procedure::main_algorithm, "MAIN ALGORITHM"},
@@ -33,10 +36,12 @@ inline constexpr Word<Procedure> words_of<Procedure>[] = {{Procedure::main_algor
                                                           {Procedure::radiosity, "RADIOSITY"},
                                                           {Procedure::shoot_light, "SHOOT LIGHT (PATCH)"},
                                                           {Procedure::beam_tracing, "BEAM TRACING"},
-                                                          {Procedure::shade_parts, "SHADE PARTS (DEPTH, RTNSHADE)"}};
+                                                          {Procedure::shade_parts, "SHADE PARTS (DEPTH, RTNSHADE)"},
+                                                          {Procedure::cone_tracing, "CONE TRACING"},
+                                                          {Procedure::shade_cone, "SHADE CONE (DEPTH, RTNSHADE)"}};
 
 /// The lines of the procedures, in the order shown on the screen. Each text is also the comment that heads its
-/// statement in trace/tracer.h, trace/path.h, trace/photons.h, trace/radiosity.h or trace/beams.h; a test holds the two
+/// statement in trace/tracer.h, trace/path.h, trace/photons.h, trace/radiosity.h, trace/beams.h or trace/cones.h; a test holds the two
 /// together, and another each to its translations.
 enum class Line {
   for_each_pixel,
@@ -133,6 +138,25 @@ enum class Line {
   form_middle_ray,
   follow_middle_ray,
   add_part,
+  // Cone tracing's.
+  cone_for_each_pixel,
+  form_cone,
+  find_cover,
+  shade_cone,
+  cone_put_final_shade,
+  cone_for_each_part,
+  form_shadow_cone,
+  find_uncovered,
+  cone_shade_middle,
+  cone_if_reflective,
+  form_reflected_cone,
+  find_reflected_cover,
+  shade_reflected_cone,
+  cone_if_transparent,
+  form_refracted_cone,
+  find_refracted_cover,
+  shade_refracted_cone,
+  add_share,
 };
 
 struct PseudocodeLine {
@@ -258,17 +282,40 @@ inline constexpr std::array<PseudocodeLine, beam_line_count> beam_pseudocode{{
     {Line::add_part, "add_part", Procedure::shade_parts, 1, "Add shade, times coverage"},
 }};
 
+inline constexpr int cone_line_count = 18;
+inline constexpr std::array<PseudocodeLine, cone_line_count> cone_pseudocode{{
+    {Line::cone_for_each_pixel, "for_each_pixel", Procedure::cone_tracing, 0, "For each pixel"},
+    {Line::form_cone, "form_cone", Procedure::cone_tracing, 1, "Form cone of the pixel"},
+    {Line::find_cover, "find_cover", Procedure::cone_tracing, 1, "Find what covers it, and how much"},
+    {Line::shade_cone, "shade_cone", Procedure::cone_tracing, 1, "Shade cone (DEPTH+1, final)"},
+    {Line::cone_put_final_shade, "put_final_shade", Procedure::cone_tracing, 1, "Put final shade in pixel"},
+    {Line::cone_for_each_part, "for_each_cover", Procedure::shade_cone, 0, "For each part, front to back"},
+    {Line::form_shadow_cone, "form_shadow_cone", Procedure::shade_cone, 1, "Form shadow cone"},
+    {Line::find_uncovered, "find_uncovered", Procedure::shade_cone, 1, "Find how much is uncovered"},
+    {Line::cone_shade_middle, "shade_middle", Procedure::shade_cone, 1, "Shade its middle"},
+    {Line::cone_if_reflective, "if_reflective", Procedure::shade_cone, 1, "If reflective"},
+    {Line::form_reflected_cone, "form_reflected_cone", Procedure::shade_cone, 2, "Form reflected cone"},
+    {Line::find_reflected_cover, "find_reflected_cover", Procedure::shade_cone, 2, "Find what covers it"},
+    {Line::shade_reflected_cone, "shade_reflected_cone", Procedure::shade_cone, 2, "Shade cone (DEPTH+1, REFLSHADE)"},
+    {Line::cone_if_transparent, "if_transparent", Procedure::shade_cone, 1, "If transparent"},
+    {Line::form_refracted_cone, "form_refracted_cone", Procedure::shade_cone, 2, "Form refracted cone"},
+    {Line::find_refracted_cover, "find_refracted_cover", Procedure::shade_cone, 2, "Find what covers it"},
+    {Line::shade_refracted_cone, "shade_refracted_cone", Procedure::shade_cone, 2, "Shade cone (DEPTH+1, REFRSHADE)"},
+    {Line::add_share, "add_share", Procedure::shade_cone, 1, "Add shade, times its share"},
+}};
+
 /// The lines of several procedures: of the one that runs once for each pixel, and of those that it calls.
 struct Pseudocode {
   std::span<const PseudocodeLine> lines;
   bool recursive;  ///< the second one calls itself, DEPTH deep
 };
 /// All pseudocodes, in the order of their lines.
-inline constexpr std::array<Pseudocode, 5> pseudocodes{{{pseudocode, true},
+inline constexpr std::array<Pseudocode, 6> pseudocodes{{{pseudocode, true},
                                                         {path_pseudocode, false},
                                                         {photon_pseudocode, false},
                                                         {radiosity_pseudocode, false},
-                                                        {beam_pseudocode, true}}};
+                                                        {beam_pseudocode, true},
+                                                        {cone_pseudocode, true}}};
 inline constexpr int all_lines_count = static_cast<int>(pseudocodes.back().lines.back().line) + 1;
 
 /// The one that a line belongs to.
@@ -307,6 +354,10 @@ inline constexpr int all_lines_count = static_cast<int>(pseudocodes.back().lines
       return "beam_tracing";
     case Procedure::shade_parts:
       return "shade_parts";
+    case Procedure::cone_tracing:
+      return "cone_tracing";
+    case Procedure::shade_cone:
+      return "shade_cone";
   }
   return "";
 }

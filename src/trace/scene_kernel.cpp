@@ -1,5 +1,8 @@
 #include "trace/scene_kernel.h"
 
+#include "scene/cone_limits.h"
+#include "trace/cone_kernel.h"
+
 namespace raywalk {
 
 namespace {
@@ -59,6 +62,8 @@ SceneKernel<T>::SceneKernel(const Scene& scene, const World<T>& world, const std
   if (traits_of(integrator_).is_global && integrator_ != Integrator::radiosity)
     emitters_ = std::make_unique<const Emitters<T>>(world);
   if (integrator_ == Integrator::photons) photons_ = std::make_unique<Photons>(scene, world, *emitters_, flat);
+  if (integrator_ == Integrator::cones && why_no_cones(scene).empty())
+    cones_ = std::make_unique<const Cones>(Cones{cone_bodies_of(scene, flat), flat});
   if (integrator_ == Integrator::radiosity) radiosity_ = std::make_unique<Radiosity>(scene, world, flat);
 }
 
@@ -92,6 +97,12 @@ Statistics SceneKernel<T>::run(const RayGenerator<T>& camera, const PixelBlock& 
     else
       statistics += photons_->kernel(camera, block, put);
     return statistics;
+  }
+  if (cones_) {
+    if constexpr (Watcher::watches)
+      return trace_cones_watched(world_, cones_->bodies, cones_->flat, camera, block, put, observer);
+    else
+      return trace_cones(world_, cones_->bodies, cones_->flat, camera, block, put);
   }
   if (radiosity_) {
     shoot_light(block.stop);

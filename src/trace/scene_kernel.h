@@ -2,6 +2,7 @@
 // The kernel of a scene's integrator: the tracer's own are in trace/kernel.h; those of other procedures are compiled
 // here.
 
+#include "trace/cone_cover.h"
 #include "trace/kernel.h"
 #include "trace/path.h"
 #include "trace/photon_kernel.h"
@@ -20,7 +21,7 @@ template <class T>
 class SceneKernel {
  public:
   /// `world` is the scene's, and outlives this. `paths`: traces paths so, whatever the scene's integrator. `flat`:
-  /// photons and the light of patches stay in the plane.
+  /// photons, the light of patches and cones stay in the plane.
   SceneKernel(const Scene& scene, const World<T>& world, const std::optional<PathSettings>& paths = std::nullopt,
               bool flat = false);
 
@@ -37,6 +38,8 @@ class SceneKernel {
   void shoot_light(const Stop& stop = {}, const Shooting& shooting = {}) const;
   /// Null: the scene is traced in another way.
   [[nodiscard]] const RadiosityKernel<T>* radiosity() const { return radiosity_ ? &radiosity_->kernel : nullptr; }
+  /// Whether it traces cones, in a flat world.
+  [[nodiscard]] bool has_flat_cones() const { return cones_ && cones_->flat; }
   /// The same observed by `observer`: same bits, same statistics.
   Statistics watched(
       const RayGenerator<T>& camera, const PixelBlock& block, Observer& observer,
@@ -65,6 +68,11 @@ class SceneKernel {
     std::mutex solving;
   };
   std::unique_ptr<Radiosity> radiosity_;
+  struct Cones {
+    std::vector<ConeBody> bodies;
+    bool flat;
+  };
+  std::unique_ptr<const Cones> cones_;
   PathSettings settings_;
 };
 

@@ -56,7 +56,7 @@ typename World<T>::Surface surface_of(const Material& m, Integrator integrator, 
       surface.filters_shadows = true, surface.transmission = Rgb<T>(1), surface.reflection = Rgb<T>(0);
   }
   surface.filter = surface.transmission;
-  if (draws_random(integrator)) {
+  if (has_extents(integrator)) {
     surface.gloss = lobe<T>(m.gloss);
     surface.translucency = lobe<T>(m.translucency);
   }

@@ -20,7 +20,8 @@ namespace {
 const std::set<std::string> planar_scenes{
     "classic", "glass",       "mirrors",  "shadows",      "antialiasing", "depth_of_field", "everything",
     "gloss",   "motion_blur", "penumbra", "translucency", "many_circles", "glass_in_water", "gold",
-    "caustic", "beams",       "milk",     "filters",      "metals"};
+    "caustic", "beams",       "milk",     "filters",      "metals",
+    "cones"};
 
 /// Every scene of the folder, by name without ending.
 std::map<std::string, SceneDocument> shipped_scenes() {
@@ -123,7 +124,7 @@ TEST_CASE("between them the planar scenes reach every line, both ways of every c
   for (const auto& [name, document] : shipped_scenes()) {
     if (!is_planar(document.scene)) continue;
     const Timeline timeline = record_strip(document.scene);
-    if (timeline.of_paths() || timeline.of_beams()) continue;  // procedures of their own
+    if (timeline.of_paths() || timeline.has_width()) continue;  // procedures of their own
     for (int i = 0; i < timeline.steps(); ++i) {
       const Event& event = timeline.event(i);
       lines.insert(event.line);

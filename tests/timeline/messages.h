@@ -83,6 +83,33 @@ inline constexpr std::array<std::string_view, 21> beam_messages{"walk.beam_forme
                                                                 "walk.part_added",
                                                                 "walk.last_part_added"};
 
+/// Of CONE TRACING alone.
+inline constexpr std::array<std::string_view, 24> cone_messages{
+    "walk.cone_formed",
+    "walk.image_cone_formed",
+    "walk.cone_shared",
+    "walk.cone_whole",
+    "walk.cone_sees_nothing",
+    "walk.cone_called",
+    "walk.share_sees",
+    "walk.share_left",
+    "walk.shadow_cone_formed",
+    "walk.light_uncovered",
+    "walk.light_partly",
+    "walk.light_covered_by",
+    "walk.cone_mirror",
+    "walk.cone_no_mirror",
+    "walk.cone_glass",
+    "walk.cone_no_glass",
+    "walk.reflected_cone_spreads",
+    "walk.reflected_cone_converges",
+    "walk.refracted_cone_spreads",
+    "walk.refracted_cone_converges",
+    "walk.cone_depth",
+    "walk.cone_threshold",
+    "walk.share_added",
+    "walk.last_share_added"};
+
 /// Of scenes under a sky.
 inline constexpr std::array<std::string_view, 10> sky_messages{
     "walk.found_sky",          "walk.found_sky_below",    "walk.sky_aimed_at",   "walk.sky_not_aimed_at",
@@ -106,6 +133,7 @@ inline std::set<std::string> strip_messages() {
         std::find(photon_messages.begin(), photon_messages.end(), id) == photon_messages.end() &&
         std::find(radiosity_messages.begin(), radiosity_messages.end(), id) == radiosity_messages.end() &&
         std::find(beam_messages.begin(), beam_messages.end(), id) == beam_messages.end() &&
+        std::find(cone_messages.begin(), cone_messages.end(), id) == cone_messages.end() &&
         std::find(sky_messages.begin(), sky_messages.end(), id) == sky_messages.end() &&
         std::find(scattering_messages.begin(), scattering_messages.end(), id) == scattering_messages.end() &&
         std::find(image_messages.begin(), image_messages.end(), id) == image_messages.end())

@@ -120,6 +120,25 @@ TEST_CASE("every line of pseudocode heads its statement in the beam tracer") {
     CHECK(pseudocode_of(line.line).text == line.text);
     CHECK(&pseudocode_with(line.line) == &pseudocodes[4]);
   }
+}
+
+TEST_CASE("every line of pseudocode heads its statement in the cone tracer") {
+  const std::string source = test::source_of(RAYWALK_SOURCE_DIR "/src/trace/cones.h");
+  const auto cone_drift = [](const std::string& text) {
+    return test::drift(text, cone_pseudocode,
+                       {std::pair{Procedure::cone_tracing, "void main_algorithm("},
+                        std::pair{Procedure::shade_cone, "Rgb<T> shade_cone("}});
+  };
+  REQUIRE_FALSE(source.empty());
+  CHECK(cone_drift(source) == "");
+  CHECK_THAT(cone_drift(replaced(source, "// Find how much is uncovered", "// Find intersection")),
+             contains("expected `// Find how much is uncovered`, found `// Find intersection`"));
+  int number = line_count + path_line_count + photon_line_count + radiosity_line_count + beam_line_count;
+  for (const PseudocodeLine& line : cone_pseudocode) {
+    CHECK(static_cast<int>(line.line) == number++);
+    CHECK(pseudocode_of(line.line).text == line.text);
+    CHECK(&pseudocode_with(line.line) == &pseudocodes[5]);
+  }
   CHECK(number == all_lines_count);
 }
 

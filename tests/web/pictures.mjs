@@ -17,7 +17,7 @@ const all_scenes = readdirSync(scenes).filter((name) => name.endsWith('.toml')).
 
 // Every shipped scene, by every integrator that takes any scene, and by the others where they are at home, in both
 // precisions.
-const at_home = { photons: ['caustic', 'classic', 'cornell'], radiosity: ['radiosity'], beams: ['beams'] };
+const at_home = { photons: ['caustic', 'classic', 'cornell'], radiosity: ['radiosity'], beams: ['beams'], cones: ['cones'] };
 export const all_pictures = [
   ...all_scenes.flatMap((scene) => ['cast', 'whitted', 'distributed', 'path'].map((integrator) => ({ scene, integrator }))),
   ...Object.entries(at_home).flatMap(([integrator, scenes]) => scenes.map((scene) => ({ scene, integrator }))),

@@ -140,12 +140,14 @@ std::string legend_of(const State& state) {
   std::string html = "<ul id=\"legend\">";
   for (const RayKind kind : values_of<RayKind>) {
     if (kind == RayKind::photon && !state.walk.timeline->of_photons()) continue;
-    if (kind == (state.walk.timeline->of_beams() ? RayKind::primary : RayKind::beam)) continue;
+    if (kind == (state.walk.timeline->has_width() ? RayKind::primary : RayKind::beam)) continue;
     if (kind != RayKind::primary && state.walk.timeline->of_radiosity()) continue;
     const RayStyle& style = ray_style(state.appearance.theme, kind);
     const LineItem line{{1, 6}, {45, 6}, Stroke{style.colour, 2.5, style.dash, 0}, 9};
     html += fmt::format("<li><svg viewBox=\"0 0 46 12\">{}</svg>{}</li>", svg_element(line),
-                        escaped(text(kind, state.appearance.language)));
+                        escaped(kind == RayKind::beam && state.walk.timeline->of_cones()
+                                    ? text("ray.cone", state.appearance.language)
+                                    : text(kind, state.appearance.language)));
   }
   return html + "</ul>\n";
 }

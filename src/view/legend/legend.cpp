@@ -9,15 +9,21 @@ Legend legend(const State& state) {
   const auto str = [](const State& in, std::string_view id) { return std::string(text(id, in.appearance.language)); };
   const auto row = [&](RayKind kind, std::string_view in_short, std::string_view meaning) {
     legend.rays.push_back({kind, ray_style(state.appearance.theme, kind),
-                           std::string(text(kind, state.appearance.language)), str(state, in_short),
+                           kind == RayKind::beam && state.walk.timeline->of_cones()
+                               ? str(state, "ray.cone")
+                               : std::string(text(kind, state.appearance.language)),
+                           str(state, in_short),
                            str(state, meaning)});
   };
   if (state.walk.timeline->of_beams())
     row(RayKind::beam, "ray.short_beam", "legend.beam");
+  else if (state.walk.timeline->of_cones())
+    row(RayKind::beam, "ray.short_cone", "legend.cone");
   else
     row(RayKind::primary, "ray.short_primary", "legend.primary");
-  if (!state.walk.timeline->of_radiosity()) {
-    row(RayKind::shadow, "ray.short_shadow", "legend.shadow");
+  if (!state.walk.timeline->of_radiosity()) row(RayKind::shadow, "ray.short_shadow", "legend.shadow");
+  // Cones are reflected and refracted as cones.
+  if (!state.walk.timeline->of_radiosity() && !state.walk.timeline->of_cones()) {
     row(RayKind::reflect, "ray.short_reflect", "legend.reflect");
     row(RayKind::refract, "ray.short_refract", "legend.refract");
   }

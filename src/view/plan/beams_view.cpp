@@ -12,7 +12,8 @@ namespace raywalk {
 
 namespace {
 
-/// A part has the colour of what it sees; the one at work is strong, those of the pixels before are faint.
+/// A part has the colour of what it sees; the one at work is strong, those of the pixels before are faint. Of cones the
+/// edges and the axis stay: which of its rays a part has, a cone does not know.
 class BeamPainter {
  public:
   BeamPainter(Painter& painter, const RaysShown& shown)
@@ -27,6 +28,7 @@ class BeamPainter {
     const auto count = static_cast<int>(timeline_.rays_at(shown_.position).size());
     for (int index = 0; index < count; ++index)
       if (ray(index).beam >= 0 && is_seen(index)) draw_beam(index);
+    for (int index = 0; index < count && timeline_.of_cones(); ++index) draw_edges(index);
     const int current = timeline_.current_ray(shown_.position);
     const int mirrored = part_ >= 0 && current != part_ && ray(current).beam >= 0 ? current
                          : part_ >= 0                                             ? ray(part_).parent
@@ -49,8 +51,14 @@ class BeamPainter {
   [[nodiscard]] bool is_seen(int index) const {
     if (is_lit(state_, index)) return true;
     if (!state_.legend.shows(RayKind::beam) || ray(index).pixel < shown_.first_pixel) return false;
-    if (ray(index).pixel != shown_.pixel && shown_.others == Earlier::hidden) return false;
+    if (ray(index).pixel != shown_.pixel && (shown_.others == Earlier::hidden || is_far_cone(index))) return false;
     return !is_whole(index) || ray(index).found_at > shown_.position;
+  }
+
+  /// Of what an earlier pixel's cone has met, only what EYE sees: the others would cover the plan.
+  [[nodiscard]] bool is_far_cone(int index) const {
+    if (!timeline_.of_cones() || is_whole(index)) return timeline_.of_cones();
+    return ray(index).object < 0 || ray(ray(index).parent).parent >= 0;
   }
 
   void draw_beam(int index) {
@@ -86,6 +94,44 @@ class BeamPainter {
     return body_colour(scene, scene.objects[static_cast<std::size_t>(object)].material);
   }
 
+  /// Of the cones of the pixel at work: to where the farthest part ends. Of its shadow cones, too.
+  void draw_edges(int index) {
+    const RayRecord& record = ray(index);
+    if (record.pixel != shown_.pixel || !record.formed || !state_.legend.shows(record.kind)) return;
+    if (record.kind == RayKind::shadow) return draw_shadow_edges(record);
+    if (record.beam < 0 || !is_whole(index)) return;
+    const BeamArea& area = beam(index).area;
+    const Vec2d middle = (plan(area.starts.front()) + plan(area.starts.back())) / 2.0;
+    const Vec2d far = (plan(area.ends.front()) + plan(area.ends.back())) / 2.0;
+    double reach = record.found_at > shown_.position ? 1 : 0;
+    for (int part = index + 1; reach < 1 && part < static_cast<int>(timeline_.rays().size()); ++part) {
+      if (ray(part).parent != index || ray(part).beam < 0) continue;
+      const BeamArea& ends = beam(part).area;
+      const Vec2d end = (plan(ends.ends.front()) + plan(ends.ends.back())) / 2.0;
+      reach = std::max(reach, std::min(dot(end - middle, far - middle) / dot(far - middle, far - middle), 1.0));
+    }
+    Stroke edge = painter_.stroke(style_.colour, 1.3);
+    const auto line = [&](const Vec2d& from, const Vec2d& to, const Stroke& stroke) {
+      painter_.add_clipped({painter_.pixels(from), painter_.pixels(from + reach * (to - from)), stroke});
+    };
+    for (const std::size_t side : {std::size_t{0}, area.starts.size() - 1})
+      line(plan(area.starts[side]), plan(area.ends[side]), edge);
+    edge.dash = painter_.scaled({{9, 4, 2, 4}, 4});
+    line(middle, far, edge);
+  }
+
+  /// From the width of the part to that of the light.
+  void draw_shadow_edges(const RayRecord& shadow) {
+    if (shadow.endless) return;
+    const Vec2d from = plan(shadow.origin), to = plan(shadow.origin + shadow.direction), along = to - from;
+    if (!(length(along) > 0)) return;
+    const Vec2d across = Vec2d(-along.y, along.x) / length(along);
+    const Colour colour = ray_style(state_.appearance.theme, RayKind::shadow).colour;
+    for (const double side : {1.0, -1.0})
+      painter_.add_clipped({painter_.pixels(from + side * shadow.radius * across),
+                            painter_.pixels(to + side * shadow.end_radius * across), painter_.stroke(colour, 1.1)});
+  }
+
   /// From where the rays of a mirrored beam seem to come.
   void draw_backwards(int index) {
     const BeamArea& area = beam(index).area;
@@ -93,7 +139,11 @@ class BeamPainter {
     const Vec2d back = first - plan(area.ends.front()), other = last - plan(area.ends.back());
     const double across = cross(back, other);
     if (!(std::abs(across) > 1e-9 * length(back) * length(other))) return;
-    const Vec2d apex = painter_.pixels(first + cross(last - first, other) / across * back);
+    const double behind = cross(last - first, other) / across;
+    const Vec2d apex = painter_.pixels(first + behind * back);
+    // Where a cone converges, its own edges lead there.
+    if (behind < 0) return painter_.add(CircleItem{apex, 5 * painter_.sizes.unit, std::nullopt,
+                                                   painter_.stroke(style_.colour, 1.6)});
     const Stroke dashed{style_.colour.with_alpha(170), painter_.sizes.unit, painter_.scaled({{3, 5}, 2})};
     painter_.add_clipped({painter_.pixels(first), apex, dashed});
     painter_.add_clipped({painter_.pixels(last), apex, dashed});
@@ -129,9 +179,11 @@ class BeamPainter {
 }  // namespace
 
 void draw_beams(Painter& painter, const RaysShown& shown) {
-  if (!painter.state.walk.timeline->of_beams()) return;
+  const Timeline& timeline = *painter.state.walk.timeline;
+  if (!timeline.has_width()) return;
   BeamPainter(painter, shown).draw();
-  if (painter.state.walk.mode == Mode::trace) draw_flat_note(painter, "plan.flat_beams");
+  if (painter.state.walk.mode == Mode::trace && timeline.is_flat())
+    draw_flat_note(painter, timeline.of_beams() ? "plan.flat_beams" : "plan.flat_cones");
 }
 
 }  // namespace raywalk

@@ -39,7 +39,10 @@ ReturnName returns(RayKind kind) {
 std::string ray_text(const State& state, const RayRecord& ray) {
   const Timeline& timeline = *state.walk.timeline;
   if (ray.parent < 0)
-    return fill(ray.beam < 0 ? "stack.primary_ray" : "stack.beam", state.appearance.language,
+    return fill(ray.beam < 0          ? "stack.primary_ray"
+                : timeline.of_beams() ? "stack.beam"
+                                      : "stack.cone",
+                state.appearance.language,
                 {{"pixel", timeline.pixels()[static_cast<std::size_t>(ray.pixel)].column}});
   const int from = ray_of(timeline, ray.parent).object;
   const std::string name = from < 0 ? std::string() : object_name(state, from);
@@ -100,8 +103,10 @@ StackPanel stack_panel(const State& state) {
     StackRow row;
     row.title = timeline.of_paths()
                     ? fill("stack.path", state.appearance.language, {{"ray", ran == nullptr ? 1 : ran->depth}})
-                    : fill(timeline.of_beams() ? "stack.shade_parts" : "stack.shade", state.appearance.language,
-                           {{"depth", frame.depth}});
+                    : fill(timeline.of_beams()   ? "stack.shade_parts"
+                           : timeline.of_cones() ? "stack.shade_cone"
+                                                 : "stack.shade",
+                           state.appearance.language, {{"depth", frame.depth}});
     row.ray = ray_text(state, ray);
     row.ray_index = ray_index;
     if (ray.object >= 0) row.object = object_name(state, ray.object);

@@ -27,8 +27,8 @@ std::optional<PredictionAsked> answered_after(const Timeline& timeline, int posi
   if (position >= timeline.steps()) return std::nullopt;
   const auto after = timeline.rays_at(position + 1);
   const int ray = timeline.current_ray(position);
-  // A beam goes many ways, and meets many things.
-  if (timeline.of_beams() &&
+  // A beam or a cone goes many ways, and meets many things.
+  if (timeline.has_width() &&
       timeline.rays()[static_cast<std::size_t>(std::max(timeline.current_ray(position + 1), 0))].beam >= 0)
     return std::nullopt;
   if (after.size() > timeline.rays_at(position).size()) {

@@ -407,9 +407,15 @@ class EquationWriter {
     light(Kind::total, looked.shade, "=");
   }
 
-  // ---- Beam tracing
+  // ---- Beam and cone tracing
 
   void write(const BeamFormed& formed) {
+    if (timeline_.of_cones()) {
+      row(Kind::formula, "r(t) = r₀ + s t");
+      row(Kind::numbers, "r₀ = ", formed.radius);
+      row(Kind::total, "s = ", formed.spread);
+      return;
+    }
     row(Kind::formula, "D(x) = D₀ + x (D₁ − D₀)");
     row(Kind::numbers, text("object.eye", state_.appearance.language), formed.parent < 0 ? " = " : "′ = ", formed.apex);
     places(formed.begin, formed.end);
@@ -421,6 +427,7 @@ class EquationWriter {
                                        : object_name(state_, piece.object));
   }
   void write(const PartBegun& begun) {
+    if (timeline_.of_cones()) return row(Kind::total, Word{"equation.of_cone"}, " = ", begun.coverage);
     const BeamRecord& part = timeline_.beams()[static_cast<std::size_t>(current().beam)];
     places(part.begin, part.end);
     row(Kind::formula, Word{"equation.coverage"}, " = x₁ − x₀");
@@ -435,8 +442,8 @@ class EquationWriter {
     if (added.reflect != Rgbd(0.0)) light(Kind::term, added.reflect, "+ kr′ · REFLSHADE");
     if (added.refract != Rgbd(0.0)) light(Kind::term, added.refract, "+ kt′ · REFRSHADE");
     light(Kind::term, added.shade, "=");
-    row(Kind::numbers, Word{"equation.of_beam"}, " = ", added.share);
-    light(Kind::total, added.mean, added.last ? "RTNSHADE =" : "m =");
+    row(Kind::numbers, Word{timeline_.of_cones() ? "equation.of_cone" : "equation.of_beam"}, " = ", added.share);
+    light(Kind::total, added.mean, added.last ? "RTNSHADE =" : timeline_.of_cones() ? "Σ =" : "m =");
   }
 
   const State& state_;

@@ -33,7 +33,7 @@ Ghosts ghosts_of(const State& state) {
   Ghosts ghosts;
   ghosts.of = state.walk.timeline;
   ghosts.pixel = pixel;
-  if (pixel < 0 || timeline.of_paths() || timeline.of_beams()) return ghosts;  // whose trees differ
+  if (pixel < 0 || timeline.of_paths() || timeline.has_width()) return ghosts;  // whose trees differ
   // If DEPTH is not counted, a deeper limit cuts elsewhere, and rays cannot be matched.
   if (fault_at_work(state) == Fault::depth_not_counted) return ghosts;
   const auto [first, last] = timeline.rays_of_pixel(pixel);

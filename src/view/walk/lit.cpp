@@ -14,7 +14,7 @@ bool concerns(Line line, RayKind kind) {
       return line == Line::form_shadow_ray || line == Line::find_intersection || line == Line::path_form_shadow_ray ||
              line == Line::path_find_intersection || line == Line::gather_form_shadow_ray ||
              line == Line::gather_find_intersection || line == Line::beam_form_shadow_ray ||
-             line == Line::beam_find_intersection;
+             line == Line::beam_find_intersection || line == Line::form_shadow_cone || line == Line::find_uncovered;
     case RayKind::reflect:
       return line == Line::form_reflect_ray || line == Line::find_reflect_intersect || line == Line::shade_reflect ||
              line == Line::form_next_ray || line == Line::path_find_closest_intersection ||
@@ -30,7 +30,11 @@ bool concerns(Line line, RayKind kind) {
              line == Line::follow_photon || line == Line::photon_form_next_ray;
     case RayKind::beam:
       return line == Line::form_beam || line == Line::cut_beam || line == Line::shade_parts ||
-             line == Line::form_mirrored_beam || line == Line::cut_mirrored_beam || line == Line::shade_mirrored_parts;
+             line == Line::form_mirrored_beam || line == Line::cut_mirrored_beam || line == Line::shade_mirrored_parts ||
+             line == Line::form_cone || line == Line::find_cover || line == Line::shade_cone ||
+             line == Line::form_reflected_cone || line == Line::find_reflected_cover ||
+             line == Line::shade_reflected_cone || line == Line::form_refracted_cone ||
+             line == Line::find_refracted_cover || line == Line::shade_refracted_cone;
   }
   return false;
 }

@@ -1,5 +1,6 @@
 #include "render/world_cache.h"
 #include "timeline/recorder.h"
+#include "scene/cone_limits.h"
 #include "trace/outlines.h"
 #include "view/action.h"
 #include "view/document/document.h"
@@ -127,6 +128,9 @@ void record_again(State& state) {
   if (traits_of(wished.integrator).is_flat && !state.walk.pixel && !recorded.timeline.of_beams())
     inform(state,
            fill("notice.no_beams", state.appearance.language, {{"object", object_against_beams(state.scene())}}));
+  if (wished.integrator == Integrator::cones && !recorded.timeline.of_cones())
+    inform(state,
+           fill("notice.no_cones", state.appearance.language, {{"object", object_against_cones(state.scene())}}));
   if (state.walk.bug) state.walk.bug->other = record_other(state, recorded.depth, recorded.samples);
   const auto after = std::make_shared<const Timeline>(std::move(recorded.timeline));
   state.walk.position = same_place(*state.walk.timeline, state.walk.position, *after);

@@ -21,6 +21,12 @@ std::string str(const State& state, Id id) {
   return std::string(text(id, state.appearance.language));
 }
 
+/// "shadow ray", "cone".
+std::string kind_text(const State& state, RayKind kind) {
+  if (kind == RayKind::beam && state.walk.timeline->of_cones()) return str(state, "ray.cone");
+  return str(state, kind);
+}
+
 std::string ray_text(const State& state, int index) {
   const Timeline& timeline = *state.walk.timeline;
   const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(index)];
@@ -28,21 +34,23 @@ std::string ray_text(const State& state, int index) {
   if (timeline.part_of(index) == index) {
     const BeamRecord& part = timeline.beams()[static_cast<std::size_t>(ray.beam)];
     const std::string sees = ray.object < 0 ? str(state, ray.ending) : object_name(state, ray.object);
-    if (part.begun_at > state.walk.position) return fill("pointed.part", state.appearance.language, {{"object", sees}});
-    return fill("pointed.part_covers", state.appearance.language,
+    const bool cones = timeline.of_cones();
+    if (part.begun_at > state.walk.position)
+      return fill(cones ? "pointed.cone_part" : "pointed.part", state.appearance.language, {{"object", sees}});
+    return fill(cones ? "pointed.cone_part_covers" : "pointed.part_covers", state.appearance.language,
                 {{"object", sees}, {"coverage", number_text(part.coverage, state.appearance.language)}});
   }
   if (ray.parent < 0) {
     const int column = timeline.pixels()[static_cast<std::size_t>(ray.pixel)].column;
     what = timeline.of_strip()
                ? fill("pointed.ray_of_cell", state.appearance.language,
-                      {{"ray", std::string(text(ray.kind, state.appearance.language))}, {"cell", column}})
+                      {{"ray", kind_text(state, ray.kind)}, {"cell", column}})
                : fill("pointed.ray_of_pixel", state.appearance.language,
-                      {{"ray", std::string(text(ray.kind, state.appearance.language))}});
+                      {{"ray", kind_text(state, ray.kind)}});
   } else {
     const int from = timeline.rays()[static_cast<std::size_t>(ray.parent)].object;
     what = fill("pointed.ray_from", state.appearance.language,
-                {{"ray", std::string(text(ray.kind, state.appearance.language))},
+                {{"ray", kind_text(state, ray.kind)},
                  {"object", from < 0 ? "" : object_name(state, from)}});
   }
   const bool known = !ray.formed || ray.found_at <= state.walk.position;

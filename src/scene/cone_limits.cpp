@@ -1,0 +1,52 @@
+#include "scene/cone_limits.h"
+
+#include "math/overloaded.h"
+
+#include <variant>
+
+namespace raywalk {
+
+namespace {
+
+/// A cone sees the faces of a convex solid side by side: those in front never hide each other.
+bool is_convex(const Prism<double>& prism) {
+  int turns_left = 0, turns_right = 0;
+  for (int i = 0; i < prism.sides(); ++i) {
+    const double turn = cross(prism.edge(i), prism.edge(i + 1 == prism.sides() ? 0 : i + 1));
+    if (turn > 0) ++turns_left;
+    if (turn < 0) ++turns_right;
+  }
+  return turns_left == 0 || turns_right == 0;
+}
+
+std::string why_not_covered(const Object& object) {
+  if (!object.motion.empty()) return "moves";
+  if (!object.transform.empty()) return "is transformed";
+  return std::visit(Overloaded{
+                        [](const Sphere<double>&) { return ""; },
+                        [](const Plane<double>&) { return ""; },
+                        [](const Polygon<double>&) { return ""; },
+                        [](const Triangle<double>&) { return ""; },
+                        [](const Disk<double>&) { return ""; },
+                        [](const Box<double>&) { return ""; },
+                        [](const Prism<double>& prism) { return is_convex(prism) ? "" : "is not convex"; },
+                        [](const auto&) { return "is neither a sphere, a plane, a disc, a polygon, a prism nor a box"; },
+                    },
+                    static_cast<const ObjectShape::Kinds&>(object.shape));
+}
+
+}  // namespace
+
+std::string why_no_cones(const Scene& scene) {
+  for (const Object& object : scene.objects)
+    if (const std::string why = why_not_covered(object); !why.empty()) return object.name + " " + why;
+  return {};
+}
+
+std::string object_against_cones(const Scene& scene) {
+  for (const Object& object : scene.objects)
+    if (!why_not_covered(object).empty()) return object.name;
+  return {};
+}
+
+}  // namespace raywalk

@@ -1,0 +1,129 @@
+#include "timeline/cone_message.h"
+
+#include <string>
+
+namespace raywalk {
+
+namespace {
+
+class ConeDescriber {
+ public:
+  ConeDescriber(const Scene& scene, const Timeline& timeline, int position)
+      : scene_(scene), timeline_(timeline), position_(position) {}
+
+  [[nodiscard]] std::optional<Message> message() const {
+    const Event& event = *timeline_.just_run(position_);
+    return std::visit([&](const auto& detail) { return describe(event, detail); }, event.detail);
+  }
+
+ private:
+  using Told = std::optional<Message>;
+
+  [[nodiscard]] const RayRecord& ray(int index) const { return timeline_.rays()[static_cast<std::size_t>(index)]; }
+  /// The part that the line is about.
+  [[nodiscard]] const RayRecord& part() const { return ray(timeline_.part_of(timeline_.current_ray(position_))); }
+  [[nodiscard]] std::string object(int index) const {
+    return index < 0 ? std::string() : scene_.objects[static_cast<std::size_t>(index)].name;
+  }
+  [[nodiscard]] std::string seen() const { return object(part().object); }
+  [[nodiscard]] std::string light() const {
+    return scene_.lights[static_cast<std::size_t>(ray(timeline_.current_ray(position_)).light)].name;
+  }
+
+  /// As of other pseudocodes.
+  template <class Detail>
+  [[nodiscard]] Told describe(const Event& /*event*/, const Detail& /*detail*/) const {
+    return std::nullopt;
+  }
+
+  [[nodiscard]] Told describe(const Event& event, const BeamFormed& formed) const {
+    if (formed.parent >= 0) {
+      const std::string from = object(ray(ray(timeline_.current_ray(position_)).parent).object);
+      const bool converges = formed.spread < 0, reflects = event.line == Line::form_reflected_cone;
+      const std::string_view id = reflects ? converges ? "walk.reflected_cone_converges" : "walk.reflected_cone_spreads"
+                                  : converges ? "walk.refracted_cone_converges"
+                                              : "walk.refracted_cone_spreads";
+      return Message{id,
+                     {{"object", from},
+                      {"radius", formed.radius},
+                      {"spread", converges ? -formed.spread : formed.spread}}};
+    }
+    const PixelRecord& pixel = timeline_.pixels()[static_cast<std::size_t>(timeline_.current_pixel(position_))];
+    if (timeline_.of_strip()) return Message{"walk.cone_formed", {{"cell", pixel.column}}};
+    return Message{"walk.image_cone_formed", {{"column", pixel.column}, {"row", pixel.row}}};
+  }
+
+  [[nodiscard]] Told describe(const Event& /*event*/, const RayFormed& /*shadow*/) const {
+    return Message{"walk.shadow_cone_formed", {{"object", seen()}, {"light", light()}}};
+  }
+
+  [[nodiscard]] Told describe(const Event& /*event*/, const RayNotFormed& stub) const {
+    if (stub.kind != RayKind::beam) return std::nullopt;
+    if (stub.why == Ending::depth) {
+      const int frame = timeline_.current_frame(position_);
+      return Message{"walk.cone_depth", {{"depth", timeline_.frames()[static_cast<std::size_t>(frame)].depth}}};
+    }
+    return Message{
+        "walk.cone_threshold",
+        {{"share", Fraction{max_component(stub.throughput)}}, {"threshold", Fraction{scene_.limits.threshold}}}};
+  }
+
+  [[nodiscard]] Told describe(const Event& /*event*/, const Found& found) const {
+    const double uncovered = max_component(found.transmittance);
+    if (found.ending == Ending::blocked)
+      return Message{"walk.light_covered_by", {{"light", light()}, {"object", object(found.object)}}};
+    if (uncovered >= 1) return Message{"walk.light_uncovered", {{"light", light()}}};
+    return Message{"walk.light_partly", {{"light", light()}, {"share", uncovered}}};
+  }
+
+  [[nodiscard]] Told describe(const Event& /*event*/, const BeamCut& cut) const {
+    const auto count = static_cast<int>(cut.pieces.size());
+    if (count > 1) return Message{"walk.cone_shared", {{"count", count}}};
+    const int only = cut.pieces.front().object;
+    if (only < 0) return Message{"walk.cone_sees_nothing", {}};
+    return Message{"walk.cone_whole", {{"object", object(only)}}};
+  }
+
+  [[nodiscard]] Told describe(const Event& /*event*/, const ShadeCalled& called) const {
+    return Message{"walk.cone_called", {{"depth", called.depth}}};
+  }
+
+  [[nodiscard]] Told describe(const Event& /*event*/, const PartBegun& begun) const {
+    const int number = begun.number + 1;
+    if (begun.sees_nothing)
+      return Message{"walk.share_left", {{"number", number}, {"count", begun.count}, {"share", begun.coverage}}};
+    return Message{"walk.share_sees",
+                   {{"number", number}, {"count", begun.count}, {"object", seen()}, {"share", begun.coverage}}};
+  }
+
+  [[nodiscard]] Told describe(const Event& /*event*/, const PartShaded& shaded) const {
+    if (part().object < 0) return Message{"walk.part_background", {{"colour", shaded.total}}};
+    return Message{"walk.part_shaded", {{"object", seen()}, {"colour", shaded.total}}};
+  }
+
+  [[nodiscard]] Told describe(const Event& event, const Decided& decided) const {
+    const bool mirror = event.line == Line::cone_if_reflective;
+    if (part().object < 0)
+      return Message{mirror ? "walk.part_background_no_mirror" : "walk.part_background_no_ray", {}};
+    if (decided.why) return Message{"walk.totally_reflected", {{"object", seen()}}};
+    if (!decided.holds) return Message{mirror ? "walk.cone_no_mirror" : "walk.cone_no_glass", {{"object", seen()}}};
+    return Message{mirror ? "walk.cone_mirror" : "walk.cone_glass", {{"object", seen()}, {"weight", decided.weight}}};
+  }
+
+  [[nodiscard]] Told describe(const Event& /*event*/, const PartAdded& added) const {
+    return Message{added.last ? "walk.last_share_added" : "walk.share_added",
+                   {{"colour", added.shade}, {"share", added.share}, {"sum", added.mean}}};
+  }
+
+  const Scene& scene_;
+  const Timeline& timeline_;
+  int position_;
+};
+
+}  // namespace
+
+std::optional<Message> cone_message(const Scene& scene, const Timeline& timeline, int position) {
+  return ConeDescriber(scene, timeline, position).message();
+}
+
+}  // namespace raywalk

@@ -1,0 +1,459 @@
+#include "trace/cone_cover.h"
+
+#include "math/elementary.h"
+#include "math/overloaded.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace raywalk {
+
+namespace {
+
+/// Smaller parts are nothing.
+constexpr double least_share = 1e-12;
+
+/// Of what a shape covers: the middle of a stretch of the unit disc along `direction`, from `begin` to `end`.
+void place_on(ConePart& part, const Vec2d& direction, double begin, double end) {
+  begin = std::clamp(begin, -1.0, 1.0), end = std::clamp(end, -1.0, 1.0);
+  part.place = (begin + end) / 2 * direction;
+}
+
+/// How large a cone is that has this share of another.
+double size_of(double share, bool flat) { return flat ? share : std::sqrt(share); }
+
+// ---- Spheres
+
+/// a u^2 - 2 b u + c <= 0: the rays along one line through the disc that meet a ball.
+struct Silhouette {
+  double a, b, c;
+  Vec2d direction;  ///< of that line, towards the ball's centre
+};
+
+Silhouette silhouette_of(const RayCone& cone, const ConeBall& ball) {
+  const Vec3d to_centre = ball.centre - cone.origin;
+  const double depth = dot(to_centre, cone.axis);
+  Vec2d off{dot(to_centre, cone.right), cone.flat ? 0 : dot(to_centre, cone.up)};
+  double distance = length(off);
+  Vec2d direction = distance > 0 ? off / distance : Vec2d(1, 0);
+  if (cone.flat) direction = {1, 0}, distance = off.x;
+  const double radius = cone.radius_at(depth), reach = ball.radius * ball.radius;
+  return {radius * radius - reach * cone.spread * cone.spread, distance * radius,
+          (distance - ball.radius) * (distance + ball.radius), direction};
+}
+
+/// t of a ray to a ball: where it enters or, from inside, where it leaves.
+std::optional<double> reach_ball(const RayCone& cone, const ConeBall& ball, const Vec2d& place, bool inside) {
+  const Vec3d direction = cone.direction(place), to_centre = ball.centre - cone.start(place);
+  const double square = dot(direction, direction), along = dot(direction, to_centre) / square;
+  const Vec3d nearest = to_centre - along * direction;
+  const double left = ball.radius * ball.radius - dot(nearest, nearest);
+  // Where rounding puts a ray beside what it touches, it touches it.
+  const double half = left > 0 ? std::sqrt(left / square) : 0;
+  const double t = inside ? along + half : along - half;
+  return t > 0 ? std::optional(t) : std::nullopt;
+}
+
+void cover(std::vector<ConePart>& parts, const ConeBall& ball, const RayCone& cone, bool leaves) {
+  const Vec3d to_centre = ball.centre - cone.origin;
+  ConePart part;
+  part.inside = leaves ? dot(cone.axis, to_centre) > 0 : length(to_centre) < ball.radius * (1 - 1e-12);
+  if (leaves && !part.inside) return;
+  if (!part.inside) {
+    if (!(dot(to_centre, cone.axis) > 0)) return;
+    const auto [a, b, c, direction] = silhouette_of(cone, ball);
+    const double discriminant = b * b - a * c;
+    // Without a root all of the line meets it, or nothing.
+    double begin = -1, end = 1;
+    part.cover = c <= 0 ? 1 : 0;
+    if (discriminant > 0 && a > 0) {
+      const double root = std::sqrt(discriminant), sum = b < 0 ? b - root : b + root;
+      begin = b < 0 ? sum / a : c / sum, end = b < 0 ? c / sum : sum / a;
+      if (cone.flat)
+        part.cover = std::max(std::min(end, 1.0) - std::max(begin, -1.0), 0.0) / 2;
+      else
+        part.cover = share_of_disc(std::abs(begin + end) / 2, (end - begin) / 2);
+    } else if (discriminant > 0 && a < 0) {
+      // The cone comes to a point in or beside it: rays meet it on one side of a gap.
+      const double root = std::sqrt(discriminant);
+      const double low = std::clamp((b + root) / a, -1.0, 1.0), high = std::clamp((b - root) / a, -1.0, 1.0);
+      const bool below = low + 1 > 1 - high;
+      begin = below ? -1 : high, end = below ? low : 1;
+      part.cover = cone.flat ? (end - begin) / 2 : share_beyond(below ? -low : high);
+    }
+    if (!(part.cover > least_share)) return;
+    place_on(part, direction, begin, end);
+  }
+  if (part.inside && leaves) part.cover = 1;
+  const auto t = reach_ball(cone, ball, part.place, part.inside);
+  if (!t) return;
+  part.t = *t;
+  parts.push_back(part);
+}
+
+// ---- Planes
+
+double reach_plane(const RayCone& cone, const Vec3d& point, const Vec3d& normal, const Vec2d& place) {
+  return dot(point - cone.start(place), normal) / dot(cone.direction(place), normal);
+}
+
+void cover(std::vector<ConePart>& parts, const ConeWall& wall, const RayCone& cone, bool leaves, double depth) {
+  if (leaves) return;
+  double height = dot(cone.origin - wall.point, wall.normal);
+  const Vec3d down = height < 0 ? wall.normal : -wall.normal;
+  height = std::abs(height);
+  Vec2d across{dot(cone.right, down), cone.flat ? 0 : dot(cone.up, down)};
+  const double size = length(across);
+  const Vec2d direction = size > 0 ? across / size : Vec2d(1, 0);
+  // A ray meets the plane if it goes down, or down by more than its height: falls + slope x > 0 at x along `direction`.
+  const bool endless = std::isinf(depth);
+  const double falls = endless ? dot(cone.axis, down) : depth * dot(cone.axis, down) - height;
+  const double slope = size * (endless ? cone.spread : cone.radius_at(depth));
+  ConePart part;
+  double begin = -1, end = 1;
+  if (std::abs(falls) >= std::abs(slope)) {
+    part.cover = falls > 0 ? 1 : 0;
+  } else if (slope > 0) {
+    begin = -falls / slope;
+    part.cover = cone.flat ? (1 - begin) / 2 : share_beyond(begin);
+  } else {
+    end = -falls / slope;
+    part.cover = cone.flat ? (end + 1) / 2 : share_beyond(-end);
+  }
+  if (!(part.cover > least_share)) return;
+  place_on(part, direction, begin, end);
+  part.t = reach_plane(cone, wall.point, wall.normal, part.place);
+  if (part.t > 0 && std::isfinite(part.t)) parts.push_back(part);
+}
+
+// ---- Faces
+
+/// A corner as the cone sees it: (x, y) across the axis, z its depth.
+std::vector<Vec3d> seen_from(const RayCone& cone, const std::vector<Vec3d>& corners) {
+  std::vector<Vec3d> seen;
+  for (const Vec3d& corner : corners) {
+    const Vec3d to = corner - cone.origin;
+    seen.push_back({dot(to, cone.right), cone.flat ? 0 : dot(to, cone.up), dot(to, cone.axis)});
+  }
+  return seen;
+}
+
+/// The part of a loop, or of a side, where `inside` is at least 0.
+template <class Inside>
+std::vector<Vec3d> clipped(const std::vector<Vec3d>& loop, Inside inside) {
+  std::vector<Vec3d> kept;
+  const std::size_t sides = loop.size() == 2 ? 1 : loop.size();
+  for (std::size_t i = 0; i < sides; ++i) {
+    const Vec3d &from = loop[i], &to = loop[(i + 1) % loop.size()];
+    const double a = inside(from), b = inside(to);
+    if (a >= 0) kept.push_back(from);
+    if ((a >= 0) != (b >= 0)) kept.push_back(from + a / (a - b) * (to - from));
+    if (loop.size() == 2 && b >= 0) kept.push_back(to);
+  }
+  return kept;
+}
+
+/// The loop in the unit disc's plane: once for what is before the point that the cone may come to, once for what is
+/// behind it.
+std::array<std::vector<Vec2d>, 2> projected(const RayCone& cone, std::vector<Vec3d> loop, double depth) {
+  double far = 0;
+  for (const Vec3d& corner : loop) far = std::max(far, std::abs(corner.z) + length(Vec2d(corner.x, corner.y)));
+  const double nearest = 1e-9 * far, narrowest = 1e-9 * std::max(std::abs(cone.spread) * far, cone.radius);
+  loop = clipped(loop, [&](const Vec3d& p) { return p.z - nearest; });
+  if (std::isfinite(depth)) loop = clipped(loop, [&](const Vec3d& p) { return depth - p.z; });
+  std::array<std::vector<Vec2d>, 2> places;
+  for (const double side : {1.0, -1.0}) {
+    if (loop.empty()) continue;
+    for (const Vec3d& p : clipped(loop, [&](const Vec3d& at) { return side * cone.radius_at(at.z) - narrowest; }))
+      places[side > 0 ? 0 : 1].push_back(Vec2d(p.x, p.y) / cone.radius_at(p.z));
+  }
+  return places;
+}
+
+/// The middle of the corners of a polygon, cut to a polygon within the disc.
+std::optional<Vec2d> middle_of(const std::vector<Vec2d>& polygon) {
+  constexpr int corners = 24;
+  std::vector<Vec3d> rest;
+  for (const Vec2d& place : polygon) rest.push_back({place.x, place.y, 0});
+  for (int i = 0; i < corners && !rest.empty(); ++i) {
+    const auto [sin, cos] = portable::sin_cos(2 * std::numbers::pi * i / corners);
+    rest = clipped(rest, [&, s = sin, c = cos](const Vec3d& p) { return 1 - (p.x * c + p.y * s); });
+  }
+  double twice = 0;
+  Vec2d sum{0};
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    const Vec2d a = plan(rest[i]) - plan(rest[0]), b = plan(rest[(i + 1) % rest.size()]) - plan(rest[0]);
+    twice += cross(a, b);
+    sum += cross(a, b) / 3 * (a + b);
+  }
+  if (twice == 0) return std::nullopt;
+  return plan(rest[0]) + sum / twice;
+}
+
+std::optional<ConePart> covered_by(const ConeFace& face, const RayCone& cone, double depth) {
+  ConePart part;
+  part.part = face.part;
+  part.cover = 0;
+  double most = 0;
+  bool outline = true;
+  for (const std::vector<Vec3d>& loop : face.loops) {
+    for (const std::vector<Vec2d>& places : projected(cone, seen_from(cone, loop), depth)) {
+      if (places.size() < 2) continue;
+      double share = 0;
+      std::optional<Vec2d> middle;
+      if (cone.flat) {
+        const auto [low, high] = std::minmax(places[0].x, places[1].x);
+        const double begin = std::clamp(low, -1.0, 1.0), end = std::clamp(high, -1.0, 1.0);
+        share = (end - begin) / 2;
+        middle = Vec2d((begin + end) / 2, 0);
+      } else {
+        double twice = 0;
+        for (std::size_t i = 0; i < places.size(); ++i)
+          twice += twice_area_of_side(places[i], places[(i + 1) % places.size()]);
+        share = std::abs(twice) / (2 * std::numbers::pi);
+        if (outline) middle = middle_of(places);
+      }
+      part.cover += outline ? share : -share;
+      if (outline && middle && share > most) most = share, part.place = *middle;
+    }
+    outline = false;
+  }
+  part.cover = std::clamp(part.cover, 0.0, 1.0);
+  if (!(part.cover > least_share)) return std::nullopt;
+  const double long_place = length(part.place);
+  if (long_place > 1) part.place = part.place / long_place;
+  part.t = reach_plane(cone, face.loops.front().front(), face.normal, part.place);
+  if (!(part.t > 0) || !std::isfinite(part.t)) return std::nullopt;
+  return part;
+}
+
+void cover(std::vector<ConePart>& parts, const ConeFaces& body, const RayCone& cone, const ConeLeaves* leaves,
+           double depth) {
+  const auto height = [&](const ConeFace& face) {
+    return dot(cone.origin - face.loops.front().front(), face.normal);
+  };
+  const auto is_left = [&](const ConeFace& face) { return leaves != nullptr && face.part == leaves->part; };
+  bool inside = body.closed;
+  for (const ConeFace& face : body.faces)
+    inside = inside && (is_left(face) ? dot(cone.axis, face.normal) < 0 : height(face) < 0);
+  // From outside a convex solid is not met by what leaves it.
+  if (leaves != nullptr && !inside) return;
+  double sum = 0;
+  const std::size_t first = parts.size();
+  for (const ConeFace& face : body.faces) {
+    if (is_left(face) || (body.closed && !inside && !(height(face) > 0))) continue;
+    auto part = covered_by(face, cone, depth);
+    if (!part) continue;
+    part->inside = inside;
+    sum += part->cover;
+    parts.push_back(*part);
+  }
+  // Rounding, and faces seen along their edge, may make it more than all.
+  if (sum > 1 || (inside && std::isinf(depth) && sum > 0))
+    for (std::size_t i = first; i < parts.size(); ++i) parts[i].cover /= sum;
+}
+
+// ---- All together
+
+/// t of a ray of the cone to the object of a part, taken as endless.
+double reach(std::span<const ConeBody> bodies, const RayCone& cone, const ConePart& part, const Vec2d& place) {
+  const ConeBody& body = bodies[static_cast<std::size_t>(part.body)];
+  return std::visit(Overloaded{
+                        [&](const ConeBall& ball) {
+                          return reach_ball(cone, ball, place, part.inside).value_or(part.t);
+                        },
+                        [&](const ConeWall& wall) { return reach_plane(cone, wall.point, wall.normal, place); },
+                        [&](const ConeFaces& faces) {
+                          for (const ConeFace& face : faces.faces)
+                            if (face.part == part.part)
+                              return reach_plane(cone, face.loops.front().front(), face.normal, place);
+                          return part.t;
+                        },
+                    },
+                    body.shape);
+}
+
+/// What one object covers: its faces side by side.
+struct Cover {
+  std::size_t first, last;
+  double cover = 0;
+};
+
+/// Whether one is before the other: along a ray in the middle of the smaller one, for the larger one is there, too.
+bool is_before(std::span<const ConeBody> bodies, const RayCone& cone, const ConePart& one, const ConePart& other) {
+  const bool one_is_smaller = one.cover <= other.cover;
+  const ConePart &small = one_is_smaller ? one : other, &large = one_is_smaller ? other : one;
+  const double behind = reach(bodies, cone, large, small.place);
+  const bool small_first = !(behind > 0) || small.t < behind;
+  return one_is_smaller == small_first;
+}
+
+const ConePart& largest(const std::vector<ConePart>& parts, const Cover& group) {
+  return *std::max_element(parts.begin() + static_cast<std::ptrdiff_t>(group.first),
+                           parts.begin() + static_cast<std::ptrdiff_t>(group.last),
+                           [](const ConePart& a, const ConePart& b) { return a.cover < b.cover; });
+}
+
+}  // namespace
+
+std::vector<ConePart> meet_cone(std::span<const ConeBody> bodies, const RayCone& cone, const ConeLeaves& leaves,
+                                double depth) {
+  std::vector<ConePart> parts;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const bool left = bodies[i].object == leaves.object;
+    const std::size_t first = parts.size();
+    std::visit(Overloaded{
+                   [&](const ConeBall& ball) { cover(parts, ball, cone, left); },
+                   [&](const ConeWall& wall) { cover(parts, wall, cone, left, depth); },
+                   [&](const ConeFaces& faces) { cover(parts, faces, cone, left ? &leaves : nullptr, depth); },
+               },
+               bodies[i].shape);
+    std::erase_if(parts, [&](const ConePart& part) { return part.body < 0 && part.t >= depth; });
+    for (std::size_t k = first; k < parts.size(); ++k) {
+      parts[k].body = static_cast<int>(i);
+      parts[k].size = size_of(parts[k].cover, cone.flat);
+    }
+  }
+  return parts;
+}
+
+std::vector<ConePart> cover_cone(std::span<const ConeBody> bodies, const RayCone& cone, const ConeLeaves& leaves) {
+  std::vector<ConePart> parts = meet_cone(bodies, cone, leaves, infinity<double>);
+  std::vector<Cover> groups;
+  for (std::size_t first = 0; first < parts.size();) {
+    Cover group{first, first};
+    for (; group.last < parts.size() && parts[group.last].body == parts[first].body; ++group.last)
+      group.cover += parts[group.last].cover;
+    group.cover = std::min(group.cover, 1.0);
+    first = group.last;
+    // Into its place: not sorted by a library, for what is before what need not be an order.
+    std::size_t at = groups.size();
+    groups.push_back(group);
+    while (at > 0 && is_before(bodies, cone, largest(parts, groups[at]), largest(parts, groups[at - 1]))) {
+      std::swap(groups[at], groups[at - 1]);
+      --at;
+    }
+  }
+  std::vector<ConePart> seen;
+  double left = 1;
+  for (const Cover& group : groups) {
+    if (!(left > least_share)) break;
+    for (std::size_t k = group.first; k < group.last; ++k) {
+      parts[k].share = left * parts[k].cover;
+      seen.push_back(parts[k]);
+    }
+    left *= 1 - group.cover;
+  }
+  if (left > least_share || seen.empty()) {
+    ConePart rest;
+    rest.cover = rest.share = left;
+    seen.push_back(rest);
+  }
+  return seen;
+}
+
+namespace {
+
+ConeFace face_of(std::vector<Vec3d> corners, const Vec3d& normal, int part) {
+  return {{std::move(corners)}, normalize(normal), part};
+}
+
+ConeFaces faces_of(const Box<double>& box, bool flat) {
+  ConeFaces faces{{}, true};
+  for (int axis = 0; axis < (flat ? 2 : 3); ++axis) {
+    const int next = (axis + 1) % 3, other = (axis + 2) % 3;
+    for (const bool high : {false, true}) {
+      Vec3d normal{0.0};
+      normal[axis] = high ? 1 : -1;
+      const auto corner = [&](bool a, bool b) {
+        Vec3d at;
+        at[axis] = high ? box.max[axis] : box.min[axis];
+        at[next] = a ? box.max[next] : box.min[next];
+        at[other] = b ? box.max[other] : box.min[other];
+        if (flat) at.z = 0;
+        return at;
+      };
+      std::vector<Vec3d> corners{corner(false, false), corner(true, false), corner(true, true), corner(false, true)};
+      if (flat) corners = axis == 0 ? std::vector{corners[0], corners[1]} : std::vector{corners[0], corners[3]};
+      faces.faces.push_back(face_of(std::move(corners), normal, 2 * axis + (high ? 1 : 0)));
+    }
+  }
+  return faces;
+}
+
+ConeFaces faces_of(const Prism<double>& prism, bool flat) {
+  ConeFaces faces{{}, true};
+  const double half = prism.height / 2, turn = prism.twice_signed_area() < 0 ? -1 : 1;
+  std::vector<Vec3d> top, bottom;
+  for (int side = 0; side < prism.sides(); ++side) {
+    const Vec2d from = prism.corner(side), to = prism.corner_after(side), edge = to - from;
+    const Vec3d normal = turn * Vec3d(edge.y, -edge.x, 0);
+    if (flat)
+      faces.faces.push_back(face_of({Vec3d(from, 0), Vec3d(to, 0)}, normal, side));
+    else
+      faces.faces.push_back(
+          face_of({Vec3d(from, -half), Vec3d(to, -half), Vec3d(to, half), Vec3d(from, half)}, normal, side));
+    top.push_back({from, half});
+    bottom.push_back({from, -half});
+  }
+  if (flat) return faces;
+  faces.faces.push_back(face_of(std::move(top), {0, 0, 1}, prism.top()));
+  faces.faces.push_back(face_of(std::move(bottom), {0, 0, -1}, prism.bottom()));
+  return faces;
+}
+
+ConeFaces faces_of(const Polygon<double>& polygon) {
+  ConeFace face = face_of(polygon.outline, polygon.area_vector(), 0);
+  for (const auto& hole : polygon.holes) face.loops.push_back(hole);
+  return {{std::move(face)}, false};
+}
+
+ConeFaces faces_of(const Triangle<double>& triangle) {
+  return {{face_of({triangle.a, triangle.b, triangle.c}, cross(triangle.b - triangle.a, triangle.c - triangle.a), 0)},
+          false};
+}
+
+ConeFaces faces_of(const Disk<double>& disk) {
+  constexpr int corners = 64;
+  const Vec3d normal = normalize(disk.normal);
+  const RayCone about = cone_about(disk.centre, normal, 1, 0, false);
+  const double step = 2 * std::numbers::pi / corners;
+  const double radius = disk.radius * std::sqrt(step / portable::sin(step));
+  std::vector<Vec3d> outline;
+  for (int i = 0; i < corners; ++i) {
+    const auto [sin, cos] = portable::sin_cos(i * step);
+    outline.push_back(disk.centre + radius * about.across({cos, sin}));
+  }
+  return {{face_of(std::move(outline), normal, 0)}, false};
+}
+
+}  // namespace
+
+std::vector<ConeBody> cone_bodies_of(const Scene& scene, bool flat) {
+  std::vector<ConeBody> bodies;
+  for (int index = 0; index < static_cast<int>(scene.objects.size()); ++index) {
+    const Object& object = scene.objects[static_cast<std::size_t>(index)];
+    const Bounds<double> box = bounds(object.shape);
+    if (flat && !(box.min.z <= 0 && 0 <= box.max.z)) continue;
+    const auto add = [&](auto shape) { bodies.push_back({std::move(shape), index}); };
+    std::visit(Overloaded{
+                   [&](const Sphere<double>& sphere) { add(ConeBall{sphere.centre, sphere.radius}); },
+                   [&](const Plane<double>& plane) {
+                     if (!flat || !is_level(plane)) add(ConeWall{plane.point, normalize(plane.normal)});
+                   },
+                   [&](const Box<double>& its) { add(faces_of(its, flat)); },
+                   [&](const Prism<double>& prism) { add(faces_of(prism, flat)); },
+                   [&](const Polygon<double>& polygon) { add(faces_of(polygon)); },
+                   [&](const Triangle<double>& triangle) { add(faces_of(triangle)); },
+                   [&](const Disk<double>& disk) { add(faces_of(disk)); },
+                   [](const auto&) {},
+               },
+               static_cast<const ObjectShape::Kinds&>(object.shape));
+  }
+  return bodies;
+}
+
+}  // namespace raywalk

@@ -1,0 +1,151 @@
+#pragma once
+// What the statements of trace/cones.h about lights do. Included by it alone.
+
+#include "trace/cones.h"
+#include "trace/shadow_transmittance.h"
+#include "trace/spawn_ray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace raywalk {
+
+namespace detail {
+
+/// Of a light as it is seen along `l`, of unit length: of a disc of its area, in a flat world half its width; 0 of a
+/// point.
+template <class T>
+[[nodiscard]] double radius_of_light(const typename World<T>::Light& light, const Vec3d& l, bool flat) {
+  if (const auto* sphere = std::get_if<SphereLight::Prepared<T>>(&light.kind))
+    return static_cast<double>(sphere->radius);
+  const auto* rectangle = std::get_if<RectangleLight::Prepared<T>>(&light.kind);
+  if (rectangle == nullptr) return 0;
+  const Vec3d u(rectangle->u), v(rectangle->v);
+  if (flat) return (std::abs(cross(plan(u), plan(l))) + std::abs(cross(plan(v), plan(l)))) / 2;
+  return std::sqrt(std::abs(dot(cross(u, v), l)) / std::numbers::pi);
+}
+
+}  // namespace detail
+
+template <class T, class Watcher>
+auto ConeTracer<T, Watcher>::lights_of(const Part& part) const -> const std::vector<Light>& {
+  static const std::vector<Light> none;
+  return part.at && world_.effects.used(Effect::shadows) ? world_.lights : none;
+}
+
+/// From the part's width at the surface to the light's.
+template <class T, class Watcher>
+auto ConeTracer<T, Watcher>::form_shadow_cone(int depth, const Part& part, const Cone& cone, const Light& light)
+    -> std::optional<Shadow> {
+  const SurfaceVertex<T>& at = *part.at;
+  const Vec3<T> to_light = light.direction_to(light.place, at.position);
+  const bool faces = dot(at.bsdf.shading_normal, to_light) > 0 || at.surface->lit_from_behind;
+  const Rgb<T> throughput = cone.throughput * static_cast<T>(part.share);
+  if (!faces || !light.shines_along(to_light)) {
+    const Ending why = faces ? Ending::outside_cone : Ending::facing_away;
+    ++statistics_.ends(why);
+    note(Line::form_shadow_cone, depth, [&] {
+      return RayNotFormed{part.number,     RayKind::shadow,  why,        Vec3d(at.position),
+                          Vec3d(to_light), Rgbd(throughput), light.index};
+    });
+    return std::nullopt;
+  }
+  const Vec3d whole(to_light);
+  const double distance = length(whole);
+  const Vec3d l = whole / distance;
+  const double end = light.is_distant ? part.width.radius : detail::radius_of_light<T>(light, l, flat_);
+  const Shadow shadow{cone_about(Vec3d(at.position), l, part.width.radius, (end - part.width.radius) / distance, flat_),
+                      to_light, rays_formed_++};
+  ++statistics_.formed(RayKind::shadow);
+  note(Line::form_shadow_cone, depth, [&] {
+    RayFormed formed{shadow.number, part.number,      RayKind::shadow, shadow.cone.origin,
+                     whole,         Rgbd(throughput), light.index,     !light.is_distant};
+    formed.radius = part.width.radius, formed.end_radius = end;
+    return formed;
+  });
+  return shadow;
+}
+
+/// Each object covers its share of what those beside it leave: in which order makes no difference.
+template <class T, class Watcher>
+Rgb<T> ConeTracer<T, Watcher>::find_uncovered(int depth, const Part& part, const Shadow& shadow, const Light& light) {
+  Rgb<T> uncovered{1};
+  std::optional<ConePart> most;
+  if (world_.occludes) {
+    statistics_.tests.primitives += bodies_.size();
+    const double far = light.is_distant ? infinity<double> : length(Vec3d(shadow.to_light));
+    const std::vector<ConePart> blockers = meet_cone(bodies_, shadow.cone, {part.object, part.part}, far);
+    for (std::size_t first = 0; first < blockers.size();) {
+      double cover = 0;
+      std::size_t last = first, widest = first;
+      for (; last < blockers.size() && blockers[last].body == blockers[first].body; ++last) {
+        cover += blockers[last].cover;
+        if (blockers[last].cover > blockers[widest].cover) widest = last;
+      }
+      const Rgb<T> through = transmittance_of(blockers[widest], part, shadow, light);
+      uncovered *= Rgb<T>(1) - static_cast<T>(std::min(cover, 1.0)) * (Rgb<T>(1) - through);
+      if (!most || blockers[widest].cover > most->cover) most = blockers[widest];
+      first = last;
+    }
+  }
+  const bool blocked = is_black(uncovered);
+  ++statistics_.ends(blocked ? Ending::blocked : Ending::reached_light);
+  note(Line::find_uncovered, depth, [&] {
+    Found found{shadow.number, blocked ? Ending::blocked : Ending::reached_light};
+    found.transmittance = Rgbd(uncovered);
+    if (blocked && most) {
+      found.t = most->t / length(Vec3d(shadow.to_light));
+      found.object = bodies_[static_cast<std::size_t>(most->body)].object;
+      found.part = most->part;
+      found.point = shadow.cone.start(most->place) + most->t * shadow.cone.direction(most->place);
+      found.normal = -shadow.cone.axis;
+    }
+    return found;
+  });
+  return uncovered;
+}
+
+/// Of an object between a part and a light: 0, unless its material filters shadows.
+template <class T, class Watcher>
+Rgb<T> ConeTracer<T, Watcher>::transmittance_of(const ConePart& blocker, const Part& part, const Shadow& shadow,
+                                                const Light& light) {
+  const int object = bodies_[static_cast<std::size_t>(blocker.body)].object;
+  const int primitive = primitives_[static_cast<std::size_t>(object)];
+  if (world_.shadow_roles.empty() ||
+      world_.shadow_roles[static_cast<std::size_t>(primitive)] != ShadowRole::filters)
+    return Rgb<T>(0);
+  const SurfaceVertex<T>& at = *part.at;
+  const double distance = length(Vec3d(shadow.to_light));
+  const Vec3<T> along(distance * shadow.cone.direction(blocker.place));
+  const auto ray = spawn_ray<Ray<T>>(world_, Vec3<T>(shadow.cone.start(blocker.place)), at.bsdf.geometric_normal,
+                                     at.departure, along, at.time);
+  if (world_.absorbs)
+    return absorbing_transmittance(world_, ray, light.t_far(), statistics_.tests, {primitive},
+                                   static_cast<const Medium*>(nullptr));
+  return primitive_transmittance(world_, ray, light.t_far(), statistics_.tests, primitive);
+}
+
+template <class T, class Watcher>
+void ConeTracer<T, Watcher>::add_unlit(DirectLighting& direct, const Light& light) {
+  if constexpr (Observer::watches) direct.terms.push_back({light.index});
+}
+
+template <class T, class Watcher>
+void ConeTracer<T, Watcher>::add_light(DirectLighting& direct, const Part& part, const Light& light,
+                                       const Shadow& shadow, const Rgb<T>& uncovered) {
+  if (is_black(uncovered)) return add_unlit(direct, light);
+  const SurfaceVertex<T>& at = *part.at;
+  const T distance = light.distance(shadow.to_light);
+  const Vec3<T> l = shadow.to_light / distance, h = l - part.ray.direction;
+  const Rgb<T> radiance = uncovered * light.strength * (light.falloff(l) / light.attenuation(distance));
+  const Rgb<T> diffuse = radiance * at.bsdf.diffuse * std::max(dot(at.bsdf.shading_normal, l), T(0));
+  Rgb<T> specular{0};
+  if (!is_black(at.specular))
+    specular = radiance * at.specular *
+               power_of_cosine(dot(at.bsdf.shading_normal, h), dot(h, h), at.surface->shininess);
+  direct.sum += diffuse + specular;
+  if constexpr (Observer::watches) direct.terms.push_back({light.index, Rgbd(diffuse), Rgbd(specular)});
+}
+
+}  // namespace raywalk

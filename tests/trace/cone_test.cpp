@@ -1,0 +1,219 @@
+// Cones: the shares that shapes cover of them (trace/ray_cone_test.cpp has what mirrors and glass make of their width).
+
+#include "trace/cone_cover.h"
+
+#include "math/random.h"
+#include "scene/cone_limits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "support/catch.h"
+
+using namespace raywalk;
+
+namespace {
+
+double unit(int index, std::uint32_t dimension) {
+  RandomKey key;
+  key.seed = 24;
+  key.sample = static_cast<std::uint32_t>(index);
+  key.dimension = dimension;
+  return random_unit<double>(key);
+}
+
+Scene with(Shape<double> shape) {
+  Scene scene;
+  std::visit([&](auto& its) { scene.objects = {{"It", its, Material{}}}; }, shape);
+  return scene;
+}
+
+RayCone along_x(double radius, double spread, bool flat) { return cone_about({0, 0, 0}, {1, 0, 0}, radius, spread, flat); }
+
+double covered(const Scene& scene, const RayCone& cone, double depth = infinity<double>) {
+  double sum = 0;
+  for (const ConePart& part : meet_cone(cone_bodies_of(scene, cone.flat), cone, {}, depth)) {
+    CHECK(std::isfinite(part.t + part.place.x + part.place.y));
+    sum += part.cover;
+  }
+  return sum;
+}
+
+double sum_of_shares(const std::vector<ConePart>& parts) {
+  double sum = 0;
+  for (const ConePart& part : parts) {
+    CHECK(part.share >= 0);
+    CHECK(part.share <= 1);
+    CHECK(part.cover <= 1);
+    CHECK(std::isfinite(part.t + part.place.x + part.place.y + part.size));
+    sum += part.share;
+  }
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("half covered is one half") {
+  for (const bool flat : {false, true}) {
+    const RayCone cone = along_x(0, 0.1, flat);
+    CHECK(covered(with(Box<double>{{5, 0, -9}, {6, 9, 9}}), cone) == Approx(0.5).epsilon(1e-12));
+    // A quarter of the disc, but half of the plan's width.
+    CHECK(covered(with(Box<double>{{5, 0, 0}, {6, 9, 9}}), cone) == Approx(flat ? 0.5 : 0.25).epsilon(1e-12));
+    // The horizon of a floor or a wall.
+    CHECK(covered(with(Plane<double>{{0, -1, 0}, {0, 1, 0}}), cone) == Approx(0.5).epsilon(1e-12));
+    // So large a ball has a straight edge, which is where the cone's axis touches it.
+    const double radius = 1e4;
+    CHECK(covered(with(Sphere<double>{{5, radius, 0}, radius}), cone) == Approx(0.5).margin(1e-4));
+  }
+  // A prism's side whose edge is on the axis, and a polygon that is a hole's inside.
+  CHECK(covered(with(Prism<double>{{{4, 0}, {6, 0}, {5, 3}}, 20}), along_x(0, 0.05, false)) == Approx(0.5).epsilon(1e-9));
+  const double small = 0.2;
+  Polygon<double> holed{{{5, -9, -9}, {5, 9, -9}, {5, 9, 9}, {5, -9, 9}},
+                        {{{5, -small, -small}, {5, small, -small}, {5, small, small}, {5, -small, small}}}};
+  CHECK(covered(with(holed), along_x(0, 0.1, false)) ==
+        Approx(1 - 4 * small * small / (std::numbers::pi * 0.25)).epsilon(1e-12));
+  CHECK(covered(with(Disk<double>{{5, 0, 0}, {1, 0, 0}, 0.3}), along_x(0, 0.1, false)) ==
+        Approx(0.36).epsilon(1e-9));
+}
+
+TEST_CASE("in the plan the share of one object is how much of the cone's rays meet it") {
+  for (int number = 0; number < 200; ++number) {
+    const auto at = [&](std::uint32_t dimension) { return unit(number, dimension); };
+    const RayCone cone = along_x(at(0) < 0.5 ? 0 : 0.3 * at(1), 0.3 * at(2) - (at(0) < 0.3 ? 0 : 0.1), true);
+    const Vec3d centre{2 + 4 * at(3), 2 * at(4) - 1, 0};
+    const double radius = 0.1 + at(5);
+    if (length(centre) <= radius + 0.4) continue;
+    const double share = covered(with(Sphere<double>{centre, radius}), cone);
+    constexpr int rays = 20000;
+    int met = 0;
+    for (int i = 0; i < rays; ++i) {
+      const Vec2d place{(2 * i + 1.0) / rays - 1, 0};
+      const Vec3d direction = normalize(cone.direction(place)), to = centre - cone.start(place);
+      if (length(to - dot(to, direction) * direction) < radius && dot(to, direction) > 0) ++met;
+    }
+    CAPTURE(number);
+    CHECK(share == Approx(static_cast<double>(met) / rays).margin(2.0 / rays));
+  }
+}
+
+TEST_CASE("in space the share of one ball, box, prism or disc is how much of the cone's rays meet it") {
+  for (int number = 0; number < 60; ++number) {
+    const auto at = [&](std::uint32_t dimension) { return unit(number, dimension); };
+    const RayCone cone = along_x(0.2 * at(0), 0.12 + 0.1 * at(1), false);
+    const Vec3d middle{3 + 2 * at(2), 1.2 * at(3) - 0.6, 1.2 * at(4) - 0.6};
+    const double size = 0.15 + 0.4 * at(5);
+    Scene scene;
+    if (number % 3 == 0)
+      scene = with(Sphere<double>{middle, size});
+    else if (number % 3 == 1)
+      scene = with(Box<double>{middle - size, middle + size});
+    else
+      scene = with(Disk<double>{middle, {1, at(6), at(7)}, size});
+    const double share = covered(scene, cone);
+    constexpr int side = 300;
+    int met = 0, all = 0;
+    for (int i = 0; i < side; ++i)
+      for (int k = 0; k < side; ++k) {
+        const Vec2d place{(2 * i + 1.0) / side - 1, (2 * k + 1.0) / side - 1};
+        if (dot(place, place) > 1) continue;
+        ++all;
+        const Ray<double> ray{cone.start(place), normalize(cone.direction(place))};
+        const bool meets = std::visit(
+            [&](const auto& shape) -> bool {
+              using Kind = std::decay_t<decltype(shape)>;
+              if constexpr (std::is_same_v<Kind, Sphere<double>> || std::is_same_v<Kind, Box<double>> ||
+                            std::is_same_v<Kind, Disk<double>>) {
+                TestCounts tests;
+                return Primitives<double>({Shape<double>(shape)}).intersect(0, ray, infinity<double>, tests).has_value();
+              }
+              return false;
+            },
+            static_cast<const ObjectShape::Kinds&>(scene.objects[0].shape));
+        if (meets) ++met;
+      }
+    CAPTURE(number);
+    CHECK(share == Approx(static_cast<double>(met) / all).margin(number % 3 == 0 ? 0.012 : 0.004));
+  }
+}
+
+TEST_CASE("parts of a cone add up to it, whatever is in the way: hard cases") {
+  Scene scene;
+  scene.objects = {{"Ball", Sphere<double>{{3, 0.5, 0}, 0.5}, Material{}},
+                   {"Touching", Sphere<double>{{3, -0.5, 0}, 0.5}, Material{}},
+                   {"Mirror", Box<double>{{2, -1, -1}, {2, 1, 1}}, Material{}},
+                   {"End on", Box<double>{{1, 0, -1}, {4, 0, 1}}, Material{}},
+                   {"Around", Sphere<double>{{0, 0, 0}, 9}, Material{}},
+                   {"Through eye", Plane<double>{{0, 0, 0}, {0, 1, 0}}, Material{}},
+                   {"Corner", Prism<double>{{{0, 0}, {2, 1}, {2, 2}}, 2}, Material{}},
+                   {"Floor", Plane<double>{{0, 0, -1}, {0, 0, 1}}, Material{}}};
+  for (const bool flat : {false, true}) {
+    const std::vector<ConeBody> all = cone_bodies_of(scene, flat);
+    for (unsigned set = 1; set < 1U << all.size(); ++set) {
+      std::vector<ConeBody> bodies;
+      for (std::size_t i = 0; i < all.size(); ++i)
+        if (set >> i & 1U) bodies.push_back(all[i]);
+      for (const double radius : {0.0, 0.2})
+        for (const double spread : {-0.1, 0.0, 0.05, 4.0}) {
+          if (radius == 0 && spread <= 0) continue;
+          const RayCone cone = along_x(radius, spread, flat);
+          CHECK(sum_of_shares(cover_cone(bodies, cone, {})) == Approx(1).epsilon(1e-12));
+        }
+    }
+  }
+}
+
+TEST_CASE("random cones among random things: no NaN, no share outside 0..1, the sum is 1") {
+  for (int number = 0; number < 400; ++number) {
+    std::uint32_t dimension = 0;
+    const auto next = [&] { return 4 * unit(number, dimension++) - 2; };
+    const auto point = [&] {
+      const double x = next(), y = next();
+      return Vec3d(x, y, next());
+    };
+    const bool flat = number % 2 == 0;
+    Scene scene;
+    for (int i = 0; i < 3; ++i) {
+      Vec3d at = point();
+      if (flat) at.z = 0;
+      scene.objects.push_back({"S", Sphere<double>{at, 0.1 + std::abs(next()) / 3}, Material{}});
+      const Vec3d low = point(), far = point(), size(std::abs(far.x) + 0.1, std::abs(far.y) + 0.1, std::abs(far.z) + 0.1);
+      scene.objects.push_back({"B", Box<double>{low, low + size}, Material{}});
+      scene.objects.push_back({"D", Disk<double>{point() + Vec3d(0, 0, flat ? 30 : 0), point(), 0.5}, Material{}});
+    }
+    Vec3d origin = point(), axis = point();
+    if (flat) origin.z = axis.z = 0;
+    const RayCone cone = cone_about(origin, normalize(axis), number % 3 == 0 ? 0 : 0.2, number % 3 == 0 ? 0.2 : next() / 8, flat);
+    CAPTURE(number);
+    CHECK(sum_of_shares(cover_cone(cone_bodies_of(scene, flat), cone, {})) == Approx(1).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("what is in front is first, along the rays that both cover") {
+  Scene scene;
+  scene.objects = {{"Floor", Plane<double>{{0, 0, -1}, {0, 0, 1}}, Material{}},
+                   {"Ball", Sphere<double>{{10, 0, -0.5}, 0.5}, Material{}},
+                   {"Behind", Sphere<double>{{20, 0, -0.5}, 9}, Material{}}};
+  // Towards the place where the ball stands on the floor: the floor before it is nearer than the ball.
+  const RayCone cone = cone_about({0, 0, 0}, normalize(Vec3d(9.7, 0, -0.95)), 0, 0.02, false);
+  const std::vector<ConeBody> bodies = cone_bodies_of(scene, false);
+  const std::vector<ConePart> parts = cover_cone(bodies, cone, {});
+  REQUIRE(parts.size() >= 2);
+  CHECK(parts[0].body == 1);
+  CHECK(parts[0].share > 0);
+  CHECK(parts[0].share < 1);
+  CHECK(parts[1].body == 0);
+}
+
+TEST_CASE("cones are refused where a shape's share is not known, by the object's name") {
+  Scene scene = with(Sphere<double>{{0, 0, 0}, 1});
+  CHECK(why_no_cones(scene).empty());
+  scene.objects.push_back({"Star", Prism<double>{{{0, 0}, {4, 1}, {0, 2}, {1, 1}}, 1}, Material{}});
+  CHECK(why_no_cones(scene) == "Star is not convex");
+  CHECK(object_against_cones(scene) == "Star");
+  scene.objects[1] = {"Egg", Ellipsoid<double>{}, Material{}};
+  CHECK(why_no_cones(scene) == "Egg is neither a sphere, a plane, a disc, a polygon, a prism nor a box");
+  scene.objects[1] = {"Turned", Box<double>{{0, 0, 0}, {1, 1, 1}}, Material{}};
+  scene.objects[1].transform.push_back({Scale{{1, 2, 1}}});
+  CHECK(why_no_cones(scene) == "Turned is transformed");
+}

@@ -1,0 +1,140 @@
+// The closed areas by which cones are covered, and what mirrors and glass make of their width.
+
+#include "trace/ray_cone.h"
+
+#include "trace/optics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "support/catch.h"
+
+using namespace raywalk;
+
+namespace {
+
+/// The area that two discs share, by slices: Gauss' rule in an angle that takes the ends' square roots away.
+long double lens_by_slices(long double distance, long double radius) {
+  const long double low = std::max(-1.0L, distance - radius), high = std::min(1.0L, distance + radius);
+  constexpr int slices = 20000;
+  const long double pi = std::numbers::pi_v<long double>;
+  long double sum = 0;
+  for (int i = 0; i < slices; ++i) {
+    const long double angle = pi * (i + 0.5L) / slices;
+    const long double x = low + (high - low) * (1 - std::cos(angle)) / 2;
+    const long double off = x - distance;
+    const long double half = std::min(std::sqrt(std::max(1 - x * x, 0.0L)),
+                                      std::sqrt(std::max(radius * radius - off * off, 0.0L)));
+    sum += 2 * half * (high - low) / 2 * std::sin(angle) * pi / slices;
+  }
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("the share of a cone that a disc covers is the closed area of two segments") {
+  for (const double radius : {0.01, 0.3, 1.0, 1.7, 20.0})
+    for (const double place : {0.001, 0.1, 0.25, 0.5, 0.75, 0.9, 0.99}) {
+      // From where one is in the other to where they touch from outside.
+      const double inner = std::abs(radius - 1), outer = radius + 1, distance = inner + place * (outer - inner);
+      CAPTURE(radius, distance);
+      const double expected = static_cast<double>(lens_by_slices(distance, radius) / std::numbers::pi_v<long double>);
+      CHECK(share_of_disc(distance, radius) == Approx(expected).epsilon(1e-6));
+    }
+  CHECK(share_of_disc(0, 0.5) == 0.25);
+  CHECK(share_of_disc(0, 3) == 1);
+  CHECK(share_of_disc(3, 1) == 0);
+  // Little of it: 2/3 of chord times height, to first order.
+  const double off = 1e-8, chord = 2 * std::sqrt(off);
+  CHECK(share_of_disc(2 - off, 1) == Approx(2 * (2.0 / 3) * chord * (off / 2) / std::numbers::pi).epsilon(1e-6));
+}
+
+TEST_CASE("beyond a line through the middle is one half") {
+  CHECK(share_beyond(0) == Approx(0.5).epsilon(1e-15));
+  CHECK(share_beyond(0.5) + share_beyond(-0.5) == Approx(1).epsilon(1e-15));
+  CHECK(share_beyond(1) == 0);
+  CHECK(share_beyond(-1) == 1);
+}
+
+TEST_CASE("a flat mirror leaves a cone's width as it is, and so does glass without another index") {
+  const ConeWidth width{0.3, 0.07};
+  for (const double cosine : {1.0, 0.6, 0.1}) {
+    for (const bool flat : {false, true}) {
+      const ConeWidth out = mirrored_cone(width, 0, cosine, flat);
+      CHECK(out.radius == width.radius);
+      CHECK(out.spread == width.spread);
+      const ConeWidth through = refracted_cone(width, 0.4, 1.3, 1.3, cosine, cosine, flat);
+      CHECK(through.radius == Approx(width.radius).epsilon(1e-14));
+      CHECK(through.spread == Approx(width.spread).epsilon(1e-14));
+    }
+  }
+}
+
+namespace {
+
+/// A ray at `offset` from the middle of a cone that comes along -y, at angle `angle` to the normal of a ball about the
+/// origin, and where it goes: how far from the middle one, and by how much it turns, both across it.
+struct Neighbour {
+  Vec3d origin, direction;
+};
+Neighbour after(const Neighbour& ray, double radius, bool from_inside, double n1, double n2, bool refracts) {
+  const double b = dot(ray.origin, ray.direction), c = dot(ray.origin, ray.origin) - radius * radius;
+  const double root = std::sqrt(b * b - c), t = from_inside ? -b + root : -b - root;
+  const Vec3d point = ray.origin + t * ray.direction, outward = normalize(point);
+  const Vec3d normal = from_inside ? -outward : outward;
+  if (!refracts) return {point, reflect(ray.direction, normal)};
+  return {point, normalize(*refract(ray.direction, normal, refraction_at(ray.direction, normal, n1, n2)))};
+}
+
+}  // namespace
+
+TEST_CASE("what balls make of a cone's spread is the difference of neighbouring rays") {
+  const double radius = 0.8, near = 2.0;  // of the ball; from where the cone comes
+  for (const bool inside : {false, true})
+    for (const bool refracts : {false, true})
+      for (const double degrees : {5.0, 25.0, 40.0})
+        for (const bool across : {false, true}) {
+          const double angle = degrees * std::numbers::pi / 180;
+          // The middle ray meets the ball in (radius, 0, 0); it comes at this angle to the normal there.
+          const double side = inside ? -1 : 1;
+          const Vec3d direction{-side * std::cos(angle), std::sin(angle), 0};
+          const Vec3d hit{radius, 0, 0};
+          const double length_in = inside ? 0.4 : near;
+          const double n1 = inside ? 1.5 : 1, n2 = inside ? 1 : 1.5;
+          const Vec3d apex = hit - length_in * direction;
+          const Vec3d sideways = across ? Vec3d(0, 0, 1) : Vec3d(-direction.y, direction.x, 0);
+          const double step = 1e-5;
+          const Neighbour middle = after({apex, direction}, radius, inside, n1, n2, refracts);
+          const Neighbour up = after({apex, normalize(direction + step * sideways)}, radius, inside, n1, n2, refracts);
+          const Neighbour down = after({apex, normalize(direction - step * sideways)}, radius, inside, n1, n2, refracts);
+          const Vec3d out = middle.direction, beside = across ? Vec3d(0, 0, 1) : Vec3d(-out.y, out.x, 0);
+          // The plane across the middle ray through its hit: rays are carried there.
+          const auto offset = [&](const Neighbour& ray) {
+            const double t = dot(hit - ray.origin, out) / dot(ray.direction, out);
+            return dot(ray.origin + t * ray.direction - hit, beside);
+          };
+          const auto slope = [&](const Neighbour& ray) { return dot(ray.direction, beside) / dot(ray.direction, out); };
+          const double w = (offset(up) - offset(down)) / (2 * step), s = (slope(up) - slope(down)) / (2 * step);
+          const ConeWidth in{length_in, 1};
+          const double curvature = (inside ? -1 : 1) / radius, cos_in = std::cos(angle);
+          const ConePlane plane = across ? ConePlane::across : ConePlane::of_incidence;
+          const double sine = n1 / n2 * std::sin(angle);
+          const ConeWidth made = refracts ? refracted(in, plane, curvature, n1, n2, cos_in, std::sqrt(1 - sine * sine))
+                                          : mirrored(in, plane, curvature, cos_in);
+          CAPTURE(inside, refracts, degrees, across, w, s, made.radius, made.spread);
+          // Seen from either side: a mirror turns the plane of incidence over.
+          const double turned = w < 0 ? -1 : 1;
+          CHECK(made.radius == Approx(turned * w).epsilon(1e-7));
+          CHECK(made.spread == Approx(turned * s).epsilon(1e-7).margin(1e-7));
+        }
+}
+
+TEST_CASE("gloss widens a cone, and nothing narrower than sharp is left as it is") {
+  const ConeWidth sharp{0.1, 0.02};
+  CHECK(widened(sharp, 0).spread == sharp.spread);
+  const double angle = 0.1;
+  CHECK(widened(sharp, 1 - std::cos(angle)).spread == Approx(sharp.spread + std::tan(angle)).epsilon(1e-9));
+  CHECK(widened(sharp, 1).spread == largest_spread);
+}
+
