@@ -19,6 +19,7 @@
 #include "view/live/room.h"
 #include "view/lobe/room.h"
 #include "view/microscope/room.h"
+#include "view/pencil/room.h"
 #include "view/photons/room.h"
 #include "view/picture/room.h"
 #include "view/plan/room.h"
@@ -59,6 +60,7 @@ struct State {
   LinkRoom link;
   InkRoom ink;
   SkyRoom sky;
+  PencilRoom pencil;
   PhotonRoom photons;
   RadiosityRoom radiosity;
 
@@ -68,8 +70,8 @@ struct State {
 /// All rooms, in the order of their tabs and of their commands in menus.
 using Rooms = Types<WalkRoom, LessonRoom, BugRoom, PlanRoom, SpaceRoom, PictureRoom, TreeRoom, StackRoom, EquationRoom,
                     LegendRoom, CostRoom, MicroscopeRoom, StructureRoom, DocumentRoom, PredictRoom, ExportRoom,
-                    LinkRoom, LiveRoom, BandRoom, EffectsRoom, FocusRoom, SkyRoom, LobeRoom, PhotonRoom, RadiosityRoom,
-                    InkRoom, AppearanceRoom>;
+                    LinkRoom, LiveRoom, BandRoom, EffectsRoom, FocusRoom, SkyRoom, LobeRoom, PencilRoom, PhotonRoom,
+                    RadiosityRoom, InkRoom, AppearanceRoom>;
 
 namespace rooms {
 template <class Room>

@@ -205,6 +205,23 @@ mutant beams_sun_at_a_place beams trace/unfolded_plan.cpp 'light.is_distant ? pl
 mutant beams_round_shadows_too_wide beams trace/unfolded_plan.cpp 'c0 * c0 - outline.square * dot(w0, w0)' 'c0 * c0 - 4.0 * outline.square * dot(w0, w0)'
 mutant beams_round_shadows_of_the_sun_too_wide beams trace/unfolded_plan.cpp 'square = outline.square * dot(place, place)' 'square = outline.square'
 
+# --- Cones and pencils ------------------------------------------------------------------------------------------------
+mutant cones_mirror_curved_the_other_way cones trace/ray_cone.cpp 'width.spread + 2 * curvature' 'width.spread - 2 * curvature'
+mutant cones_mirror_planes_exchanged cones trace/ray_cone.cpp 'ConePlane::of_incidence ? 1 / cos_in : cos_in' \
+  'ConePlane::of_incidence ? cos_in : 1 / cos_in'
+mutant cones_refracted_without_the_normal cones trace/ray_cone.cpp '(width.spread + turn) - turn' '(width.spread + turn)'
+mutant cones_refracted_across_by_a_sum cones trace/ray_cone.cpp '(eta * cos_in - cos_out) * curvature' \
+  '(eta * cos_in + cos_out) * curvature'
+mutant cones_refracted_as_wide_as_before cones trace/ray_cone.cpp 'width.radius * cos_out / cos_in, eta' 'width.radius, eta'
+mutant cones_snell_upside_down cones trace/ray_cone.cpp 'eta = n1 / n2' 'eta = n2 / n1'
+mutant cones_segment_doubled cones trace/ray_cone.cpp '(arc - portable::sin(arc)) / 2' 'arc - portable::sin(arc)'
+mutant cones_small_segment_doubled cones trace/ray_cone.cpp 'arc * square / 12' 'arc * square / 6'
+mutant cones_one_segment_of_two cones trace/ray_cone.cpp 'segment(own) + radius * radius * segment(other)' 'segment(own)'
+mutant cones_gloss_narrows cones trace/ray_cone.cpp 'width.spread + more' 'width.spread - more'
+mutant pencils_mirror_keeps_left cones trace/pencil.h 'ConePlane::of_incidence ? -1 : 1;' 'ConePlane::of_incidence ? 1 : 1;'
+mutant pencils_focus_elsewhere cones trace/pencil.h '-system.b / system.d' '-system.a / system.d'
+mutant pencils_in_the_wrong_order cones trace/pencil.h 'a * before.b + b * before.d' 'before.a * b + before.b * d'
+
 # Light inside bodies.
 mutant media_back_for_on media trace/phase.h '(g < 0 ? -g * (1 + cos) : g * (1 - cos))' '(g < 0 ? -g * (1 - cos) : g * (1 + cos))'
 mutant media_plan_as_space media trace/phase.h 'if (flat) return lost' 'if (false) return lost'

@@ -127,6 +127,8 @@ TEST_CASE("a line that was written reads back as the same action") {
       {ShowRays{RayKind::shadow, false}, "rays shadow off"},
       {SetFocus{true}, "focus on"},
       {ShowBand{true}, "band on"},
+      {ShowPencils{true}, "pencils on"},
+      {ShowNeighbours{true}, "neighbours on"},
       {ShowEffects{true}, "effects on"},
       {SwitchEffect{Effect::shadows, false}, "effect shadows off"},
       {LimitDepth{3}, "depth 3"},

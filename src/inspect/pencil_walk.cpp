@@ -1,0 +1,109 @@
+#include "inspect/pencil_walk.h"
+
+#include "math/elementary.h"
+#include "trace/optics.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raywalk {
+
+namespace {
+
+/// To the left of a direction in the plan.
+Vec3d left_of(const Vec3d& direction) { return {-direction.y, direction.x, 0}; }
+
+/// What a surface turns the outward normal by, per length along it in the plan.
+double curvature_in_plan(const World<double>& world, const SurfaceHit<double>& surface) {
+  const Vec3d along = left_of(surface.point.normal);
+  const Vec3d turn = world.accelerator.primitives().normal_derivative(surface.hit.primitive, surface.point,
+                                                                      surface.hit.part, 0, along);
+  return dot(turn, along);
+}
+
+}  // namespace
+
+std::vector<PencilStage> pencil_of(const World<double>& world, const Timeline& timeline, int ray) {
+  const auto record = [&](int index) -> const RayRecord& { return timeline.rays()[static_cast<std::size_t>(index)]; };
+  if (timeline.has_width() || timeline.of_radiosity()) return {};
+  std::vector<int> way;
+  for (int each = ray; each >= 0; each = record(each).parent) way.push_back(each);
+  std::reverse(way.begin(), way.end());
+  std::vector<PencilStage> stages;
+  Departure departure{};
+  std::optional<SurfaceHit<double>> left;
+  for (const int index : way) {
+    const RayRecord& own = record(index);
+    const double size = length(own.direction);
+    const bool in_plan = own.origin.z == 0 && own.direction.z == 0 && size > 0;
+    const bool follows = stages.empty() ? own.kind == RayKind::primary
+                                        : own.kind == RayKind::reflect || own.kind == RayKind::refract;
+    if (!in_plan || !follows || !own.formed || (!stages.empty() && !left)) return {};
+    PencilStage stage{index, own.origin, own.direction / size, infinity<double>, {}};
+    if (!stages.empty()) {
+      const PencilStage& before = stages.back();
+      const auto* formed = std::get_if<RayFormed>(&timeline.event(own.formed_at - 1).detail);
+      const bool entering = dot(left->point.normal, before.direction) <= 0;
+      const Vec3d normal = entering ? left->point.normal : -left->point.normal;
+      const double cos_in = -dot(before.direction, normal);
+      stage.curvature = (entering ? 1 : -1) * curvature_in_plan(world, *left);
+      stage.n = before.n;
+      PencilMatrix bent;
+      if (own.kind == RayKind::reflect) {
+        stage.reflected = true;
+        // Another direction than the mirrored one was drawn from a lobe.
+        if (length(stage.direction - reflect(before.direction, normal)) > 1e-9) return {};
+        bent = pencil_mirror(ConePlane::of_incidence, stage.curvature, cos_in);
+      } else {
+        if (formed == nullptr || !formed->snell) return {};
+        const SnellNumbers& snell = *formed->snell;
+        stage.n = snell.n2;
+        bent = pencil_refraction(ConePlane::of_incidence, stage.curvature, snell.n1, snell.n2, snell.cos_in,
+                                 snell.cos_out);
+        stages.back().n = snell.n1;
+      }
+      stage.start = bent * pencil_transfer(before.length) * before.start;
+    }
+    stage.focus = focus_of_point(stage.start);
+    left = find_surface(world, Ray<double>{stage.origin, stage.direction, departure});
+    if (left) {
+      stage.length = left->hit.t;
+      departure = {left->hit.primitive, left->hit.part};
+    }
+    stages.push_back(stage);
+  }
+  return stages;
+}
+
+std::vector<Vec3d> true_neighbour(const World<double>& world, const std::vector<PencilStage>& stages, double angle,
+                                  double last_length) {
+  std::vector<Vec3d> points;
+  if (stages.empty()) return points;
+  const auto [sin, cos] = portable::sin_cos(angle);
+  Vec3d origin = stages[0].origin, direction = cos * stages[0].direction + sin * left_of(stages[0].direction);
+  Departure departure{};
+  for (std::size_t i = 0; i < stages.size(); ++i) {
+    points.push_back(origin);
+    const Ray<double> ray{origin, direction, departure};
+    const auto met = find_surface(world, ray);
+    if (i + 1 == stages.size()) {
+      points.push_back(origin + std::min(last_length, met ? met->hit.t : last_length) * direction);
+      break;
+    }
+    if (!met) break;
+    const PencilStage& next = stages[i + 1];
+    const Vec3d normal = dot(met->point.normal, direction) <= 0 ? met->point.normal : -met->point.normal;
+    if (next.reflected) {
+      direction = reflect(direction, normal);
+    } else {
+      const auto bent = refract(direction, normal, refraction_at(direction, normal, stages[i].n, next.n));
+      if (!bent) break;
+      direction = normalize(*bent);
+    }
+    origin = met->point.position;
+    departure = {met->hit.primitive, met->hit.part};
+  }
+  return points;
+}
+
+}  // namespace raywalk

@@ -1,0 +1,33 @@
+#pragma once
+// The pencil about a ray of a recording: the system matrix from EYE to each of its rays, and the true rays beside it.
+
+#include "inspect/retraced_ray.h"
+#include "trace/pencil.h"
+
+#include <optional>
+#include <vector>
+
+namespace raywalk {
+
+/// A ray of the way from EYE, and the pencil about it.
+struct PencilStage {
+  int ray;                   ///< index in Timeline::rays()
+  Vec3d origin, direction;   ///< direction: of unit length
+  double length;             ///< to where it ends; infinite if it meets nothing
+  PencilMatrix start;        ///< from EYE to where it starts
+  double n = 1;              ///< index of what it goes through
+  bool reflected = false;    ///< else refracted, or from EYE
+  double curvature = 0;      ///< of the surface that it leaves, in the plan, towards the ray before
+  std::optional<double> focus;  ///< how far along it, or behind its start, the pencil folds
+};
+
+/// The way of ray `ray` from EYE, first ray first. Empty where it is no ray of a strip that is reflected or refracted in
+/// the plan: where it has a width, was drawn at random or leaves the plan.
+[[nodiscard]] std::vector<PencilStage> pencil_of(const World<double>& world, const Timeline& timeline, int ray);
+
+/// The true ray that leaves EYE by `angle` to the left of the first stage's: where it starts in each stage, and last
+/// where it ends, or would at the last stage's length. Ends early where it meets something else.
+[[nodiscard]] std::vector<Vec3d> true_neighbour(const World<double>& world, const std::vector<PencilStage>& stages,
+                                                double angle, double last_length);
+
+}  // namespace raywalk

@@ -1,0 +1,149 @@
+// Pencils: the system matrix equals the derivatives of rays (trace/ray_differential.h), finds the foci that optics has in
+// closed form, and loses no light.
+
+#include "trace/pencil.h"
+
+#include "trace/optics.h"
+#include "trace/ray_differential.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "support/catch.h"
+
+using namespace raywalk;
+
+namespace {
+
+/// Left of a direction in the plan.
+Vec3d beside(const Vec3d& direction) { return {-direction.y, direction.x, 0}; }
+
+/// An axis that goes through balls about given places, mirrored or refracted at each surface, followed twice: by its
+/// matrix in both planes and by the derivatives of a ray. `offset`, `slope`: of the ray beside the axis at the start.
+struct Both {
+  Vec3d origin, direction;
+  PencilMatrix plan{}, across{};
+  RayDerivative<double> in_plan, upright;
+
+  Both(const Vec3d& from, const Vec3d& along, double offset, double slope) : origin(from), direction(normalize(along)) {
+    in_plan = {offset * beside(direction), slope * beside(direction)};
+    upright = {Vec3d(0, 0, offset), Vec3d(0, 0, slope)};
+  }
+  void go(double distance) {
+    plan = pencil_transfer(distance) * plan, across = pencil_transfer(distance) * across;
+    // As to a plane across the axis.
+    in_plan = transfer(in_plan, direction, distance, direction), upright = transfer(upright, direction, distance, direction);
+    origin += distance * direction;
+  }
+  /// To the sphere, from outside or inside, and on.
+  void meet(const Vec3d& centre, double radius, bool from_inside, double n1, double n2, bool refracts) {
+    const Vec3d to = centre - origin;
+    const double middle = dot(to, direction), off = radius * radius - (dot(to, to) - middle * middle);
+    REQUIRE(off > 0);
+    const double t = from_inside ? middle + std::sqrt(off) : middle - std::sqrt(off);
+    plan = pencil_transfer(t) * plan, across = pencil_transfer(t) * across;
+    origin += t * direction;
+    const Vec3d outward = (origin - centre) / radius, normal = from_inside ? -outward : outward;
+    in_plan = transfer(in_plan, direction, t, normal), upright = transfer(upright, direction, t, normal);
+    const double side = from_inside ? -1 : 1, curvature = side / radius;
+    const Vec3d turn = side / radius * in_plan.dP, turn_across = side / radius * upright.dP;
+    const double cos_in = -dot(direction, normal);
+    if (refracts) {
+      const Refraction<double> at = refraction_at(direction, normal, n1, n2);
+      REQUIRE_FALSE(at.total());
+      in_plan = refract(in_plan, direction, normal, turn, at);
+      upright = refract(upright, direction, normal, turn_across, at);
+      direction = normalize(*refract(direction, normal, at));
+      plan = pencil_refraction(ConePlane::of_incidence, curvature, n1, n2, cos_in, at.cos_out) * plan;
+      across = pencil_refraction(ConePlane::across, curvature, n1, n2, cos_in, at.cos_out) * across;
+    } else {
+      in_plan = reflect(in_plan, direction, normal, turn);
+      upright = reflect(upright, direction, normal, turn_across);
+      direction = normalize(reflect(direction, normal));
+      plan = pencil_mirror(ConePlane::of_incidence, curvature, cos_in) * plan;
+      across = pencil_mirror(ConePlane::across, curvature, cos_in) * across;
+    }
+  }
+  /// The same ray by both ways.
+  void agree(double offset, double slope) const {
+    const auto flat = transfer(in_plan, direction, 0.0, direction), up = transfer(upright, direction, 0.0, direction);
+    const ParaxialRay own = plan({offset, slope}), own_up = across({offset, slope});
+    CHECK(own.offset == Approx(dot(flat.dP, beside(direction))).epsilon(1e-10).margin(1e-10));
+    CHECK(own.slope == Approx(dot(flat.dD, beside(direction))).epsilon(1e-10).margin(1e-10));
+    CHECK(own_up.offset == Approx(up.dP.z).epsilon(1e-10).margin(1e-10));
+    CHECK(own_up.slope == Approx(up.dD.z).epsilon(1e-10).margin(1e-10));
+  }
+};
+
+}  // namespace
+
+TEST_CASE("pencils equal the derivatives of rays through transfer, refraction, mirrors and curved surfaces") {
+  for (const double offset : {0.0, 1.0})
+    for (const double slope : {1.0, -0.4}) {
+      Both both({-4, 0.2, 0}, {1, 0.03, 0}, offset, slope);
+      both.go(0.7);
+      both.agree(offset, slope);
+      // Through a ball of glass, off a ball of chrome, and inside of a large mirror.
+      both.meet({0, 0, 0}, 1, false, 1, 1.5, true);
+      both.agree(offset, slope);
+      both.meet({0, 0, 0}, 1, true, 1.5, 1, true);
+      both.agree(offset, slope);
+      both.meet({4, 0.5, 0}, 1.2, false, 1, 1, false);
+      both.agree(offset, slope);
+      both.meet({0, 1, 0}, 9, true, 1, 1, false);
+      both.agree(offset, slope);
+      both.go(2);
+      both.agree(offset, slope);
+    }
+}
+
+TEST_CASE("a ball lens focuses at f = n D / (4 (n - 1)) from its centre") {
+  for (const double n : {1.3, 1.5, 1.8}) {
+    const double diameter = 1.4, radius = diameter / 2;
+    for (const ConePlane plane : {ConePlane::of_incidence, ConePlane::across}) {
+      const PencilMatrix lens = pencil_refraction(plane, -1 / radius, n, 1, 1, 1) * pencil_transfer(diameter) *
+                                pencil_refraction(plane, 1 / radius, 1, n, 1, 1);
+      // From its back, where the light leaves it.
+      CHECK(*focus_of_parallel(lens) + radius == Approx(n * diameter / (4 * (n - 1))).epsilon(1e-12));
+    }
+  }
+}
+
+TEST_CASE("a hollow mirror's two foci are Coddington's: 1/s + 1/s' is 2 / (R cos) in the plan, 2 cos / R across it") {
+  const double radius = 2;
+  for (const double degrees : {0.0, 20.0, 55.0})
+    for (const double source : {1.7, 5.0}) {
+      const double cosine = std::cos(degrees * std::numbers::pi / 180);
+      const auto focus = [&](ConePlane plane) {
+        return *focus_of_point(pencil_mirror(plane, -1 / radius, cosine) * pencil_transfer(source));
+      };
+      CHECK(1 / source + 1 / focus(ConePlane::of_incidence) == Approx(2 / (radius * cosine)).epsilon(1e-12));
+      CHECK(1 / source + 1 / focus(ConePlane::across) == Approx(2 * cosine / radius).epsilon(1e-12));
+    }
+}
+
+TEST_CASE("no light is lost between rays: the determinant is n1 / n2") {
+  for (const double cos_in : {1.0, 0.7, 0.2})
+    for (const double curvature : {-1.5, 0.0, 0.8}) {
+      const double n1 = 1.1, n2 = 1.6, sine = n1 / n2 * std::sqrt(1 - cos_in * cos_in);
+      const double cos_out = std::sqrt(1 - sine * sine);
+      for (const ConePlane plane : {ConePlane::of_incidence, ConePlane::across}) {
+        CHECK(pencil_refraction(plane, curvature, n1, n2, cos_in, cos_out).determinant() == Approx(n1 / n2).epsilon(1e-13));
+        CHECK(pencil_mirror(plane, curvature, cos_in).determinant() == Approx(1).epsilon(1e-13));
+      }
+    }
+  CHECK(pencil_transfer(3).determinant() == 1);
+  const PencilMatrix whole = pencil_transfer(2) * pencil_mirror(ConePlane::of_incidence, 0.4, 0.5) * pencil_transfer(3);
+  CHECK(whole.determinant() == Approx(1).epsilon(1e-13));
+}
+
+TEST_CASE("a flat mirror changes nothing but left and right") {
+  const PencilMatrix flat = pencil_mirror(ConePlane::of_incidence, 0, 0.6);
+  CHECK(flat.a == -1);
+  CHECK(flat.b == 0);
+  CHECK(flat.c == 0);
+  CHECK(flat.d == -1);
+  // Seen in it, a point is as far behind it as it is before it.
+  CHECK(*focus_of_point(flat * pencil_transfer(3)) == -3);
+  CHECK_FALSE(focus_of_parallel(flat).has_value());
+}
