@@ -264,6 +264,11 @@ constexpr std::array facts{
            const auto* cut = at.is<BeamCut>();
            return cut != nullptr ? Value(static_cast<double>(cut->pieces.size())) : Value(Nothing{});
          }},
+    Fact{"spread",
+         [](const Moment& at) -> Value {
+           const auto* cone = at.is<BeamFormed>();
+           return cone != nullptr && at.timeline.of_cones() ? Value(cone->spread) : Value(Nothing{});
+         }},
     Fact{"part_shade",
          [](const Moment& at) -> Value {
            const auto* added = at.is<PartAdded>();

@@ -53,6 +53,7 @@ struct Experiment {
 [[nodiscard]] Experiment radiosity_experiment(Effort effort, const Faults& faults = {});
 [[nodiscard]] Experiment scattering_experiment(Effort effort, const Faults& faults = {});
 [[nodiscard]] Experiment sky_experiment(Effort effort, const Faults& faults = {});
+[[nodiscard]] Experiment width_experiment(Effort effort);
 
 /// In the order of their numbers.
 [[nodiscard]] std::vector<Experiment> all_experiments(Effort effort);

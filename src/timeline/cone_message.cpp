@@ -39,14 +39,17 @@ class ConeDescriber {
   [[nodiscard]] Told describe(const Event& event, const BeamFormed& formed) const {
     if (formed.parent >= 0) {
       const std::string from = object(ray(ray(timeline_.current_ray(position_)).parent).object);
-      const bool converges = formed.spread < 0, reflects = event.line == Line::form_reflected_cone;
-      const std::string_view id = reflects ? converges ? "walk.reflected_cone_converges" : "walk.reflected_cone_spreads"
-                                  : converges ? "walk.refracted_cone_converges"
-                                              : "walk.refracted_cone_spreads";
-      return Message{id,
-                     {{"object", from},
-                      {"radius", formed.radius},
-                      {"spread", converges ? -formed.spread : formed.spread}}};
+      if (event.line == Line::form_reflected_cone && formed.spread < 0)
+        return Message{"walk.reflected_cone_converges",
+                       {{"object", from}, {"radius", formed.radius}, {"spread", -formed.spread}}};
+      if (event.line == Line::form_reflected_cone)
+        return Message{"walk.reflected_cone_spreads",
+                       {{"object", from}, {"radius", formed.radius}, {"spread", formed.spread}}};
+      if (formed.spread < 0)
+        return Message{"walk.refracted_cone_converges",
+                       {{"object", from}, {"radius", formed.radius}, {"spread", -formed.spread}}};
+      return Message{"walk.refracted_cone_spreads",
+                     {{"object", from}, {"radius", formed.radius}, {"spread", formed.spread}}};
     }
     const PixelRecord& pixel = timeline_.pixels()[static_cast<std::size_t>(timeline_.current_pixel(position_))];
     if (timeline_.of_strip()) return Message{"walk.cone_formed", {{"cell", pixel.column}}};

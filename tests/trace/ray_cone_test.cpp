@@ -18,15 +18,15 @@ namespace {
 long double lens_by_slices(long double distance, long double radius) {
   const long double low = std::max(-1.0L, distance - radius), high = std::min(1.0L, distance + radius);
   constexpr int slices = 20000;
-  const long double pi = std::numbers::pi_v<long double>;
+  const long double half_turn = std::numbers::pi_v<long double>;
   long double sum = 0;
   for (int i = 0; i < slices; ++i) {
-    const long double angle = pi * (i + 0.5L) / slices;
+    const long double angle = half_turn * (i + 0.5L) / slices;
     const long double x = low + (high - low) * (1 - std::cos(angle)) / 2;
     const long double off = x - distance;
     const long double half = std::min(std::sqrt(std::max(1 - x * x, 0.0L)),
                                       std::sqrt(std::max(radius * radius - off * off, 0.0L)));
-    sum += 2 * half * (high - low) / 2 * std::sin(angle) * pi / slices;
+    sum += 2 * half * (high - low) / 2 * std::sin(angle) * half_turn / slices;
   }
   return sum;
 }

@@ -106,6 +106,9 @@ constexpr std::array theory{
     Theory{"18-rays-with-width", "mirror", "2"},
     Theory{"18-rays-with-width", "seen", "0.5"},
     Theory{"18-rays-with-width", "bent", "2"},
+    Theory{"18-rays-with-width", "left", "0.12"},  // 0.71 times 0.17
+    Theory{"18-rays-with-width", "lamp", "0.4"},   // of its width, at the ball
+    Theory{"18-rays-with-width", "spread", "1"},
 };
 
 /// Numbers that students answer who have not understood: none may pass for right.
@@ -129,6 +132,8 @@ constexpr std::array usual_mistakes{
     Theory{"17-skies-and-metals", "clouds", "0.67"},          // the mean without the cosine
     Theory{"17-skies-and-metals", "wall", "0.78"},            // the whole sky
     Theory{"18-rays-with-width", "coverage", "0.25"},         // a part of four
+    Theory{"18-rays-with-width", "left", "0.17"},             // as if nothing were before it
+    Theory{"18-rays-with-width", "lamp", "0"},                // as a point would see it
 };
 
 void give_answer(State& state, const char* said) {

@@ -146,7 +146,7 @@ std::string legend_of(const State& state) {
     const LineItem line{{1, 6}, {45, 6}, Stroke{style.colour, 2.5, style.dash, 0}, 9};
     html += fmt::format("<li><svg viewBox=\"0 0 46 12\">{}</svg>{}</li>", svg_element(line),
                         escaped(kind == RayKind::beam && state.walk.timeline->of_cones()
-                                    ? text("ray.cone", state.appearance.language)
+                                    ? text("plan.cone", state.appearance.language)
                                     : text(kind, state.appearance.language)));
   }
   return html + "</ul>\n";

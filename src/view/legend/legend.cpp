@@ -10,7 +10,7 @@ Legend legend(const State& state) {
   const auto row = [&](RayKind kind, std::string_view in_short, std::string_view meaning) {
     legend.rays.push_back({kind, ray_style(state.appearance.theme, kind),
                            kind == RayKind::beam && state.walk.timeline->of_cones()
-                               ? str(state, "ray.cone")
+                               ? str(state, "plan.cone")
                                : std::string(text(kind, state.appearance.language)),
                            str(state, in_short),
                            str(state, meaning)});

@@ -23,7 +23,7 @@ std::string str(const State& state, Id id) {
 
 /// "shadow ray", "cone".
 std::string kind_text(const State& state, RayKind kind) {
-  if (kind == RayKind::beam && state.walk.timeline->of_cones()) return str(state, "ray.cone");
+  if (kind == RayKind::beam && state.walk.timeline->of_cones()) return str(state, "plan.cone");
   return str(state, kind);
 }
 

@@ -1,0 +1,135 @@
+// E15: rays with width: cones against samples, at equal numbers and at equal time, and where they lose.
+#include "study/curve.h"
+#include "study/subjects.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace raywalk::study {
+
+namespace {
+
+constexpr int edge_of_picture = 24;
+
+Material glowing() {
+  Material material;
+  material.diffuse = Rgbd(0.0);
+  material.emission = Rgbd(1.0);
+  return material;
+}
+
+/// Two sheets that share an edge, which runs through a column of pixels: nothing is seen between them.
+Subject halves(int round) {
+  const double at = (drawn_for(round, 0) - 0.5) / 2, far = 9;
+  Subject made = edge_subject();
+  made.name = "shared edge", made.only_edges = false;
+  made.scene.objects = {
+      {"Left", Polygon<double>{{{-far, -far, 0}, {at, -far, 0}, {at, far, 0}, {-far, far, 0}}, {}}, glowing()},
+      {"Right", Polygon<double>{{{at, -far, 0}, {far, -far, 0}, {far, far, 0}, {at, far, 0}}, {}}, glowing()}};
+  made.truth = [](const Rectangle&) { return 1.0; };
+  return made;
+}
+
+/// Four discs a pixel, each a quarter of it wide, one in each quarter.
+Subject crumbs(int round) {
+  constexpr int side = 2 * edge_of_picture;
+  constexpr double quarter = 2.0 / side, radius = quarter / 4;
+  Subject made = edge_subject();
+  made.name = "crumbs", made.only_edges = false;
+  made.scene.objects.clear();
+  for (int i = 0; i < side * side; ++i) {
+    const double x = quarter * (i % side + 0.5 + 0.4 * (drawn_for(round, 2 * i) - 0.5)) - 1;
+    const double y = quarter * (i / side + 0.5 + 0.4 * (drawn_for(round, 2 * i + 1) - 0.5)) - 1;
+    made.scene.objects.push_back({"Crumb", Disk<double>{{x, y, 0}, {0, 0, 1}, radius}, glowing()});
+  }
+  const double share = std::numbers::pi * radius * radius / (quarter * quarter);
+  made.truth = [share](const Rectangle&) { return share; };
+  return made;
+}
+
+Subject subject_of(int which, int round) {
+  if (which == 1) return halves(round);
+  if (which == 2) return crumbs(round);
+  Subject edge = edge_subject();
+  // Another place of the disc's edge in each round.
+  const Vec2d off{0.08 * (drawn_for(round, 0) - 0.5), 0.08 * (drawn_for(round, 1) - 0.5)};
+  std::get<Disk<double>>(edge.scene.objects[0].shape).centre = {off.x, off.y, 0};
+  const auto truth = edge.truth;
+  edge.truth = [=](const Rectangle& pixel) {
+    return truth({pixel.x0 - off.x, pixel.x1 - off.x, pixel.y0 - off.y, pixel.y1 - off.y});
+  };
+  return edge;
+}
+constexpr std::array subjects{"edge", "shared edge", "crumbs"};
+
+/// How many times the error of some samples a pixel is that of one cone.
+Estimate against_one_cone(const std::vector<Trial>& trials, const std::string& subject, std::size_t samples) {
+  const ErrorCurve cones(trials, "cones " + subject), many(trials, "samples " + subject);
+  return bootstrap(cones.rounds(),
+                   [&](const std::vector<int>& rounds) { return many.at(samples, rounds) / cones.at(0, rounds); });
+}
+
+Report conclude_width(const std::vector<Trial>& trials) {
+  Report report;
+  const std::array texts{
+      "A glowing disc, of which a pixel at its edge sees a part. A cone has its share in closed form; what it errs by is "
+      "that a cone is round and a pixel is square. Samples have to be many to say as much.",
+      "Two sheets side by side, with nothing between them. Samples are right. A cone knows how much each covers, not "
+      "where, and takes the second to cover a part of what the first has left: of two halves a quarter is lost.",
+      "Four small discs in each pixel. Each is taken as if it had nothing to do with the others, although none hides "
+      "another; more cones a pixel see fewer each."};
+  for (std::size_t i = 0; i < subjects.size(); ++i) {
+    Plot plot;
+    plot.title = std::string("Error against time: ") + subjects[i];
+    plot.x_label = "seconds of one processor";
+    plot.y_label = "root mean square error, of 0 to 1";
+    for (const std::string method : {"samples", "cones"}) {
+      const ErrorCurve curve(trials, method + " " + subjects[i]);
+      plot.series.push_back(curve.series(method, [](const Trial& trial) { return trial.cost.seconds; }));
+    }
+    report.figures.push_back({plot, texts[i]});
+  }
+  report.laws.push_back({"cones, edge", "one cone errs less than 4 samples", LawKind::at_least, 1,
+                         against_one_cone(trials, "edge", 1), 0, "A cone is round, and pixels are square."});
+  report.laws.push_back({"cones, crumbs", "one cone errs less than 1 sample", LawKind::at_least, 1,
+                         against_one_cone(trials, "crumbs", 0), 0, "Too many things share the cone."});
+  const ErrorCurve leak(trials, "cones shared edge");
+  report.laws.push_back({"cones, shared edge", "an edge that two share is seen through", LawKind::at_least, 0.01,
+                         leak.estimate(0), 0, "Shares would have to say where they are."});
+  return report;
+}
+
+}  // namespace
+
+Experiment width_experiment(Effort effort) {
+  const int most = by_effort(effort, 64, 64, 16);
+  Experiment e;
+  e.number = "E15", e.name = "width", e.title = "Rays with width";
+  e.question = "Is one cone a pixel worth more than many rays, and where is it not?";
+  e.columns = {"a_pixel", "rms_error", "mean_error"};
+  e.run = [=](int round, const Stop& stop) {
+    std::vector<Trial> trials;
+    for (std::size_t which = 0; which < subjects.size(); ++which)
+      for (int n = 1; n <= most; n *= 4)
+        for (const bool cones : {false, true}) {
+          if (stop.asked()) return trials;
+          if (cones && n > 16) continue;
+          Subject subject = subject_of(static_cast<int>(which), round);
+          if (cones) subject.scene.render.integrator = Integrator::cones;
+          const Shot shot = shoot(subject.scene, {edge_of_picture, edge_of_picture}, {n, seed_of(round)});
+          double squares = 0, sum = 0;
+          int count = 0;
+          for_each_pixel(subject, shot.film, [&](double shown, double truth) {
+            squares += (shown - truth) * (shown - truth), sum += shown - truth, ++count;
+          });
+          trials.push_back({round, std::string(cones ? "cones " : "samples ") + subjects[which],
+                            static_cast<double>(n), std::sqrt(squares / count), sum / count, shot.cost});
+        }
+    return trials;
+  };
+  e.conclude = conclude_width;
+  return e;
+}
+
+}  // namespace raywalk::study
