@@ -36,10 +36,12 @@ std::vector<PencilStage> pencil_of(const World<double>& world, const Timeline& t
     const RayRecord& own = record(index);
     const double size = length(own.direction);
     const bool in_plan = own.origin.z == 0 && own.direction.z == 0 && size > 0;
-    const bool follows = stages.empty() ? own.kind == RayKind::primary
-                                        : own.kind == RayKind::reflect || own.kind == RayKind::refract;
+    const bool follows =
+        stages.empty() ? own.kind == RayKind::primary : own.kind == RayKind::reflect || own.kind == RayKind::refract;
     if (!in_plan || !follows || !own.formed || (!stages.empty() && !left)) return {};
-    PencilStage stage{index, own.origin, own.direction / size, infinity<double>, {}};
+    PencilStage stage{};
+    stage.ray = index, stage.origin = own.origin, stage.direction = own.direction / size;
+    stage.length = infinity<double>;
     if (!stages.empty()) {
       const PencilStage& before = stages.back();
       const auto* formed = std::get_if<RayFormed>(&timeline.event(own.formed_at - 1).detail);

@@ -22,17 +22,18 @@ bool is_convex(const Prism<double>& prism) {
 std::string why_not_covered(const Object& object) {
   if (!object.motion.empty()) return "moves";
   if (!object.transform.empty()) return "is transformed";
-  return std::visit(Overloaded{
-                        [](const Sphere<double>&) { return ""; },
-                        [](const Plane<double>&) { return ""; },
-                        [](const Polygon<double>&) { return ""; },
-                        [](const Triangle<double>&) { return ""; },
-                        [](const Disk<double>&) { return ""; },
-                        [](const Box<double>&) { return ""; },
-                        [](const Prism<double>& prism) { return is_convex(prism) ? "" : "is not convex"; },
-                        [](const auto&) { return "is neither a sphere, a plane, a disc, a polygon, a prism nor a box"; },
-                    },
-                    static_cast<const ObjectShape::Kinds&>(object.shape));
+  return std::visit(
+      Overloaded{
+          [](const Sphere<double>&) { return ""; },
+          [](const Plane<double>&) { return ""; },
+          [](const Polygon<double>&) { return ""; },
+          [](const Triangle<double>&) { return ""; },
+          [](const Disk<double>&) { return ""; },
+          [](const Box<double>&) { return ""; },
+          [](const Prism<double>& prism) { return is_convex(prism) ? "" : "is not convex"; },
+          [](const auto&) { return "is neither a sphere, a plane, a disc, a polygon, a prism nor a box"; },
+      },
+      static_cast<const ObjectShape::Kinds&>(object.shape));
 }
 
 }  // namespace

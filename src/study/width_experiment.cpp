@@ -10,7 +10,7 @@ namespace raywalk::study {
 
 namespace {
 
-constexpr int edge_of_picture = 24;
+constexpr int edge_of_picture = 24, edge_of_crumbs = 8;
 
 Material glowing() {
   Material material;
@@ -33,7 +33,7 @@ Subject halves(int round) {
 
 /// Four discs a pixel, each a quarter of it wide, one in each quarter.
 Subject crumbs(int round) {
-  constexpr int side = 2 * edge_of_picture;
+  constexpr int side = 2 * edge_of_crumbs;
   constexpr double quarter = 2.0 / side, radius = quarter / 4;
   Subject made = edge_subject();
   made.name = "crumbs", made.only_edges = false;
@@ -73,7 +73,8 @@ Estimate against_one_cone(const std::vector<Trial>& trials, const std::string& s
 Report conclude_width(const std::vector<Trial>& trials) {
   Report report;
   const std::array texts{
-      "A glowing disc, of which a pixel at its edge sees a part. A cone has its share in closed form; what it errs by is "
+      "A glowing disc, of which a pixel at its edge sees a part. A cone has its share in closed form; what it errs by "
+      "is "
       "that a cone is round and a pixel is square. Samples have to be many to say as much.",
       "Two sheets side by side, with nothing between them. Samples are right. A cone knows how much each covers, not "
       "where, and takes the second to cover a part of what the first has left: of two halves a quarter is lost.",
@@ -117,14 +118,16 @@ Experiment width_experiment(Effort effort) {
           if (cones && n > 16) continue;
           Subject subject = subject_of(static_cast<int>(which), round);
           if (cones) subject.scene.render.integrator = Integrator::cones;
-          const Shot shot = shoot(subject.scene, {edge_of_picture, edge_of_picture}, {n, seed_of(round)});
+          // Cones ask every object: fewer pixels, and fewer crumbs, tell as much.
+          const int edge = which == 2 ? edge_of_crumbs : edge_of_picture;
+          const Shot shot = shoot(subject.scene, {edge, edge}, {n, seed_of(round)});
           double squares = 0, sum = 0;
           int count = 0;
           for_each_pixel(subject, shot.film, [&](double shown, double truth) {
             squares += (shown - truth) * (shown - truth), sum += shown - truth, ++count;
           });
-          trials.push_back({round, std::string(cones ? "cones " : "samples ") + subjects[which],
-                            static_cast<double>(n), std::sqrt(squares / count), sum / count, shot.cost});
+          trials.push_back({round, std::string(cones ? "cones " : "samples ") + subjects[which], static_cast<double>(n),
+                            std::sqrt(squares / count), sum / count, shot.cost});
         }
     return trials;
   };

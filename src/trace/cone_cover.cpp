@@ -232,9 +232,7 @@ std::optional<ConePart> covered_by(const ConeFace& face, const RayCone& cone, do
 
 void cover(std::vector<ConePart>& parts, const ConeFaces& body, const RayCone& cone, const ConeLeaves* leaves,
            double depth) {
-  const auto height = [&](const ConeFace& face) {
-    return dot(cone.origin - face.loops.front().front(), face.normal);
-  };
+  const auto height = [&](const ConeFace& face) { return dot(cone.origin - face.loops.front().front(), face.normal); };
   const auto is_left = [&](const ConeFace& face) { return leaves != nullptr && face.part == leaves->part; };
   bool inside = body.closed;
   for (const ConeFace& face : body.faces)
@@ -261,19 +259,17 @@ void cover(std::vector<ConePart>& parts, const ConeFaces& body, const RayCone& c
 /// t of a ray of the cone to the object of a part, taken as endless.
 double reach(std::span<const ConeBody> bodies, const RayCone& cone, const ConePart& part, const Vec2d& place) {
   const ConeBody& body = bodies[static_cast<std::size_t>(part.body)];
-  return std::visit(Overloaded{
-                        [&](const ConeBall& ball) {
-                          return reach_ball(cone, ball, place, part.inside).value_or(part.t);
-                        },
-                        [&](const ConeWall& wall) { return reach_plane(cone, wall.point, wall.normal, place); },
-                        [&](const ConeFaces& faces) {
-                          for (const ConeFace& face : faces.faces)
-                            if (face.part == part.part)
-                              return reach_plane(cone, face.loops.front().front(), face.normal, place);
-                          return part.t;
-                        },
-                    },
-                    body.shape);
+  return std::visit(
+      Overloaded{
+          [&](const ConeBall& ball) { return reach_ball(cone, ball, place, part.inside).value_or(part.t); },
+          [&](const ConeWall& wall) { return reach_plane(cone, wall.point, wall.normal, place); },
+          [&](const ConeFaces& faces) {
+            for (const ConeFace& face : faces.faces)
+              if (face.part == part.part) return reach_plane(cone, face.loops.front().front(), face.normal, place);
+            return part.t;
+          },
+      },
+      body.shape);
 }
 
 /// What one object covers: its faces side by side.

@@ -18,8 +18,8 @@ RayCone cone_about(const Vec3d& origin, const Vec3d& axis, double radius, double
 RayCone part_of_cone(const RayCone& cone, const Vec2d& u, double size) {
   const Vec3d direction = cone.direction(u);
   const double cosine = 1 / length(direction);
-  return cone_about(cone.start(u), cosine * direction, cone.radius * size * cosine, cone.spread * size * cosine * cosine,
-                    cone.flat);
+  return cone_about(cone.start(u), cosine * direction, cone.radius * size * cosine,
+                    cone.spread * size * cosine * cosine, cone.flat);
 }
 
 ConeWidth turned_out(ConeWidth width) {
@@ -44,7 +44,9 @@ ConeWidth refracted(ConeWidth width, ConePlane plane, double curvature, double n
 
 namespace {
 
-ConeWidth mean(const ConeWidth& a, const ConeWidth& b) { return {(a.radius + b.radius) / 2, (a.spread + b.spread) / 2}; }
+ConeWidth mean(const ConeWidth& a, const ConeWidth& b) {
+  return {(a.radius + b.radius) / 2, (a.spread + b.spread) / 2};
+}
 
 /// 1 - cos of half its arc: the area that a chord cuts off the unit disc.
 double segment(double versine) {
@@ -68,9 +70,8 @@ ConeWidth refracted_cone(ConeWidth width, double curvature, double n1, double n2
                          bool flat) {
   cos_in = std::max(cos_in, 1e-6), cos_out = std::max(cos_out, 1e-6);
   const ConeWidth in_plane = refracted(width, ConePlane::of_incidence, curvature, n1, n2, cos_in, cos_out);
-  return turned_out(
-      flat ? in_plane
-           : mean(in_plane, refracted(width, ConePlane::across, curvature, n1, n2, cos_in, cos_out)));
+  return turned_out(flat ? in_plane
+                         : mean(in_plane, refracted(width, ConePlane::across, curvature, n1, n2, cos_in, cos_out)));
 }
 
 ConeWidth widened(ConeWidth width, double one_minus_cos) {

@@ -20,8 +20,7 @@ namespace {
 const std::set<std::string> planar_scenes{
     "classic", "glass",       "mirrors",  "shadows",      "antialiasing", "depth_of_field", "everything",
     "gloss",   "motion_blur", "penumbra", "translucency", "many_circles", "glass_in_water", "gold",
-    "caustic", "beams",       "milk",     "filters",      "metals",
-    "cones"};
+    "caustic", "beams",       "milk",     "filters",      "metals",       "cones"};
 
 /// Every scene of the folder, by name without ending.
 std::map<std::string, SceneDocument> shipped_scenes() {

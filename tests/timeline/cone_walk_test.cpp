@@ -77,7 +77,8 @@ std::vector<Rgbd> cone_picture(const Scene& scene, int samples = 1, std::uint64_
   PixelBlock block{0, scene.image.width, 0, scene.image.height};
   block.samples = samples;
   const Statistics statistics = kernel(camera, block, [&](const Pixel& pixel, const Rgbd& shade) {
-    sums[static_cast<std::size_t>(pixel.row * scene.image.width + pixel.column)] += shade / static_cast<double>(samples);
+    sums[static_cast<std::size_t>(pixel.row * scene.image.width + pixel.column)] +=
+        shade / static_cast<double>(samples);
   });
   if (draws != nullptr) *draws = statistics.random_draws();
   return sums;
@@ -203,7 +204,8 @@ TEST_CASE("one cone a pixel is nearer to many samples than one sample is, with g
   scene.image = {32, 24};
   Scene sampled = scene;
   sampled.render.integrator = Integrator::distributed;
-  const std::vector<Rgbd> truth = cone_picture(sampled, 256), one = cone_picture(sampled, 1), cones = cone_picture(scene);
+  const std::vector<Rgbd> truth = cone_picture(sampled, 256), one = cone_picture(sampled, 1),
+                          cones = cone_picture(scene);
   CAPTURE(cone_error(cones, truth), cone_error(one, truth), cone_error(cone_picture(scene, 4), truth));
   CHECK(cone_error(cones, truth) < 0.5 * cone_error(one, truth));
 }

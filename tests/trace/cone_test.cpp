@@ -29,7 +29,9 @@ Scene with(Shape<double> shape) {
   return scene;
 }
 
-RayCone along_x(double radius, double spread, bool flat) { return cone_about({0, 0, 0}, {1, 0, 0}, radius, spread, flat); }
+RayCone along_x(double radius, double spread, bool flat) {
+  return cone_about({0, 0, 0}, {1, 0, 0}, radius, spread, flat);
+}
 
 double covered(const Scene& scene, const RayCone& cone, double depth = infinity<double>) {
   double sum = 0;
@@ -67,14 +69,14 @@ TEST_CASE("half covered is one half") {
     CHECK(covered(with(Sphere<double>{{5, radius, 0}, radius}), cone) == Approx(0.5).margin(1e-4));
   }
   // A prism's side whose edge is on the axis, and a polygon that is a hole's inside.
-  CHECK(covered(with(Prism<double>{{{4, 0}, {6, 0}, {5, 3}}, 20}), along_x(0, 0.05, false)) == Approx(0.5).epsilon(1e-9));
+  CHECK(covered(with(Prism<double>{{{4, 0}, {6, 0}, {5, 3}}, 20}), along_x(0, 0.05, false)) ==
+        Approx(0.5).epsilon(1e-9));
   const double small = 0.2;
   Polygon<double> holed{{{5, -9, -9}, {5, 9, -9}, {5, 9, 9}, {5, -9, 9}},
                         {{{5, -small, -small}, {5, small, -small}, {5, small, small}, {5, -small, small}}}};
   CHECK(covered(with(holed), along_x(0, 0.1, false)) ==
         Approx(1 - 4 * small * small / (std::numbers::pi * 0.25)).epsilon(1e-12));
-  CHECK(covered(with(Disk<double>{{5, 0, 0}, {1, 0, 0}, 0.3}), along_x(0, 0.1, false)) ==
-        Approx(0.36).epsilon(1e-9));
+  CHECK(covered(with(Disk<double>{{5, 0, 0}, {1, 0, 0}, 0.3}), along_x(0, 0.1, false)) == Approx(0.36).epsilon(1e-9));
 }
 
 TEST_CASE("in the plan the share of one object is how much of the cone's rays meet it") {
@@ -125,7 +127,9 @@ TEST_CASE("in space the share of one ball, box, prism or disc is how much of the
               if constexpr (std::is_same_v<Kind, Sphere<double>> || std::is_same_v<Kind, Box<double>> ||
                             std::is_same_v<Kind, Disk<double>>) {
                 TestCounts tests;
-                return Primitives<double>({Shape<double>(shape)}).intersect(0, ray, infinity<double>, tests).has_value();
+                return Primitives<double>({Shape<double>(shape)})
+                    .intersect(0, ray, infinity<double>, tests)
+                    .has_value();
               }
               return false;
             },
@@ -177,13 +181,15 @@ TEST_CASE("random cones among random things: no NaN, no share outside 0..1, the 
       Vec3d at = point();
       if (flat) at.z = 0;
       scene.objects.push_back({"S", Sphere<double>{at, 0.1 + std::abs(next()) / 3}, Material{}});
-      const Vec3d low = point(), far = point(), size(std::abs(far.x) + 0.1, std::abs(far.y) + 0.1, std::abs(far.z) + 0.1);
+      const Vec3d low = point(), far = point(),
+                  size(std::abs(far.x) + 0.1, std::abs(far.y) + 0.1, std::abs(far.z) + 0.1);
       scene.objects.push_back({"B", Box<double>{low, low + size}, Material{}});
       scene.objects.push_back({"D", Disk<double>{point() + Vec3d(0, 0, flat ? 30 : 0), point(), 0.5}, Material{}});
     }
     Vec3d origin = point(), axis = point();
     if (flat) origin.z = axis.z = 0;
-    const RayCone cone = cone_about(origin, normalize(axis), number % 3 == 0 ? 0 : 0.2, number % 3 == 0 ? 0.2 : next() / 8, flat);
+    const RayCone cone =
+        cone_about(origin, normalize(axis), number % 3 == 0 ? 0 : 0.2, number % 3 == 0 ? 0.2 : next() / 8, flat);
     CAPTURE(number);
     CHECK(sum_of_shares(cover_cone(cone_bodies_of(scene, flat), cone, {})) == Approx(1).epsilon(1e-12));
   }

@@ -74,7 +74,8 @@ TEST_CASE("form factors do not depend on which side is asked, and add up over pa
   const double whole = exchange_area(floor, slanted, sharp);
   CHECK(whole > 0.01);
   CHECK(std::abs(exchange_area(slanted, floor, sharp) - whole) < 1e-13);
-  const FourCorners left{floor[0], {0.4, 0, 0}, {0.4, 1, 0}, floor[3]}, right{{0.4, 0, 0}, floor[1], floor[2], {0.4, 1, 0}};
+  const FourCorners left{floor[0], {0.4, 0, 0}, {0.4, 1, 0}, floor[3]},
+      right{{0.4, 0, 0}, floor[1], floor[2], {0.4, 1, 0}};
   CHECK(std::abs(exchange_area(left, slanted, sharp) + exchange_area(right, slanted, sharp) - whole) < 1e-13);
   // The tolerance is the error, of the factor.
   CHECK(std::abs(exchange_area(floor, slanted, 1e-6) - whole) < 1e-6);
@@ -91,7 +92,8 @@ TEST_CASE("only what lies in front exchanges light") {
   const FourCorners beside{{1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}};
   CHECK(exchange_area(floor, beside) == 0);
   // A wall that reaches below the floor counts as far as it rises above.
-  const FourCorners wall{{1, 0, -1}, {1, 0, 1}, {1, 1, 1}, {1, 1, -1}}, above{{1, 0, 0}, {1, 0, 1}, {1, 1, 1}, {1, 1, 0}};
+  const FourCorners wall{{1, 0, -1}, {1, 0, 1}, {1, 1, 1}, {1, 1, -1}},
+      above{{1, 0, 0}, {1, 0, 1}, {1, 1, 1}, {1, 1, 0}};
   CHECK(std::abs(exchange_area(floor, wall, sharp) - exchange_area(floor, above, sharp)) < 1e-13);
   CHECK(std::abs(exchange_area(wall, floor, sharp) - exchange_area(floor, above, sharp)) < 1e-12);
 }
@@ -134,7 +136,7 @@ TEST_CASE("the factor from a point to a polygon is Lambert's, and its mean over 
   CHECK(point_factor({0, 0, 0}, {0, 0, 1}, above) == Approx(corner).epsilon(1e-13));
   // What lies behind the surface is cut off.
   const FourCorners wall = {{1, -1, -1}, {1, -1, 1}, {1, 1, 1}, {1, 1, -1}},
-             upper = {{1, -1, 0}, {1, -1, 1}, {1, 1, 1}, {1, 1, 0}};
+                    upper = {{1, -1, 0}, {1, -1, 1}, {1, 1, 1}, {1, 1, 0}};
   CHECK(point_factor({0, 0, 0}, {0, 0, 1}, wall) == Approx(point_factor({0, 0, 0}, {0, 0, 1}, upper)).epsilon(1e-13));
   CHECK(point_factor({0, 0, 0}, {-1, 0, 0}, wall) == 0);
 

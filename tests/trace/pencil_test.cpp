@@ -1,5 +1,5 @@
-// Pencils: the system matrix equals the derivatives of rays (trace/ray_differential.h), finds the foci that optics has in
-// closed form, and loses no light.
+// Pencils: the system matrix equals the derivatives of rays (trace/ray_differential.h), finds the foci that optics has
+// in closed form, and loses no light.
 
 #include "trace/pencil.h"
 
@@ -32,7 +32,8 @@ struct Both {
   void go(double distance) {
     plan = pencil_transfer(distance) * plan, across = pencil_transfer(distance) * across;
     // As to a plane across the axis.
-    in_plan = transfer(in_plan, direction, distance, direction), upright = transfer(upright, direction, distance, direction);
+    in_plan = transfer(in_plan, direction, distance, direction),
+    upright = transfer(upright, direction, distance, direction);
     origin += distance * direction;
   }
   /// To the sphere, from outside or inside, and on.
@@ -128,7 +129,8 @@ TEST_CASE("no light is lost between rays: the determinant is n1 / n2") {
       const double n1 = 1.1, n2 = 1.6, sine = n1 / n2 * std::sqrt(1 - cos_in * cos_in);
       const double cos_out = std::sqrt(1 - sine * sine);
       for (const ConePlane plane : {ConePlane::of_incidence, ConePlane::across}) {
-        CHECK(pencil_refraction(plane, curvature, n1, n2, cos_in, cos_out).determinant() == Approx(n1 / n2).epsilon(1e-13));
+        CHECK(pencil_refraction(plane, curvature, n1, n2, cos_in, cos_out).determinant() ==
+              Approx(n1 / n2).epsilon(1e-13));
         CHECK(pencil_mirror(plane, curvature, cos_in).determinant() == Approx(1).epsilon(1e-13));
       }
     }

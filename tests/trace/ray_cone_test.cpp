@@ -24,8 +24,8 @@ long double lens_by_slices(long double distance, long double radius) {
     const long double angle = half_turn * (i + 0.5L) / slices;
     const long double x = low + (high - low) * (1 - std::cos(angle)) / 2;
     const long double off = x - distance;
-    const long double half = std::min(std::sqrt(std::max(1 - x * x, 0.0L)),
-                                      std::sqrt(std::max(radius * radius - off * off, 0.0L)));
+    const long double half =
+        std::min(std::sqrt(std::max(1 - x * x, 0.0L)), std::sqrt(std::max(radius * radius - off * off, 0.0L)));
     sum += 2 * half * (high - low) / 2 * std::sin(angle) * half_turn / slices;
   }
   return sum;
@@ -107,7 +107,8 @@ TEST_CASE("what balls make of a cone's spread is the difference of neighbouring 
           const double step = 1e-5;
           const Neighbour middle = after({apex, direction}, radius, inside, n1, n2, refracts);
           const Neighbour up = after({apex, normalize(direction + step * sideways)}, radius, inside, n1, n2, refracts);
-          const Neighbour down = after({apex, normalize(direction - step * sideways)}, radius, inside, n1, n2, refracts);
+          const Neighbour down =
+              after({apex, normalize(direction - step * sideways)}, radius, inside, n1, n2, refracts);
           const Vec3d out = middle.direction, beside = across ? Vec3d(0, 0, 1) : Vec3d(-out.y, out.x, 0);
           // The plane across the middle ray through its hit: rays are carried there.
           const auto offset = [&](const Neighbour& ray) {
@@ -137,4 +138,3 @@ TEST_CASE("gloss widens a cone, and nothing narrower than sharp is left as it is
   CHECK(widened(sharp, 1 - std::cos(angle)).spread == Approx(sharp.spread + std::tan(angle)).epsilon(1e-9));
   CHECK(widened(sharp, 1).spread == largest_spread);
 }
-

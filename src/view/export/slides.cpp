@@ -3,6 +3,7 @@
 #include "text/markup.h"
 #include "view/drawing/svg.h"
 #include "view/plan/plan_view.h"
+#include "view/text/shown.h"
 #include "view/text/text.h"
 #include "view/walk/code_panel.h"
 #include "view/walk/equation.h"
@@ -145,9 +146,7 @@ std::string legend_of(const State& state) {
     const RayStyle& style = ray_style(state.appearance.theme, kind);
     const LineItem line{{1, 6}, {45, 6}, Stroke{style.colour, 2.5, style.dash, 0}, 9};
     html += fmt::format("<li><svg viewBox=\"0 0 46 12\">{}</svg>{}</li>", svg_element(line),
-                        escaped(kind == RayKind::beam && state.walk.timeline->of_cones()
-                                    ? text("plan.cone", state.appearance.language)
-                                    : text(kind, state.appearance.language)));
+                        escaped(kind_name(state, kind)));
   }
   return html + "</ul>\n";
 }

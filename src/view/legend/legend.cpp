@@ -1,5 +1,6 @@
 #include "view/legend/legend.h"
 
+#include "view/text/shown.h"
 #include "view/text/text.h"
 
 namespace raywalk {
@@ -8,11 +9,7 @@ Legend legend(const State& state) {
   Legend legend;
   const auto str = [](const State& in, std::string_view id) { return std::string(text(id, in.appearance.language)); };
   const auto row = [&](RayKind kind, std::string_view in_short, std::string_view meaning) {
-    legend.rays.push_back({kind, ray_style(state.appearance.theme, kind),
-                           kind == RayKind::beam && state.walk.timeline->of_cones()
-                               ? str(state, "plan.cone")
-                               : std::string(text(kind, state.appearance.language)),
-                           str(state, in_short),
+    legend.rays.push_back({kind, ray_style(state.appearance.theme, kind), kind_name(state, kind), str(state, in_short),
                            str(state, meaning)});
   };
   if (state.walk.timeline->of_beams())

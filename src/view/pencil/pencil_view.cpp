@@ -124,11 +124,12 @@ class PencilPainter {
       if (pencil.truly.empty() || !is_known(pencil)) continue;
       const std::vector<Vec3d>& way = pencil.truly[i];
       if (way.size() != pencil.stages.size() + 1) continue;
-      painter_.add_clipped(
-          {painter_.pixels(plan(way[way.size() - 2])), painter_.pixels(plan(way.back())),
-           Stroke{painter_.colours.ink.with_alpha(strong ? 230 : 110), painter_.sizes.unit, painter_.scaled({{2, 3}, 2})}});
+      painter_.add_clipped({painter_.pixels(plan(way[way.size() - 2])), painter_.pixels(plan(way.back())),
+                            Stroke{painter_.colours.ink.with_alpha(strong ? 230 : 110), painter_.sizes.unit,
+                                   painter_.scaled({{2, 3}, 2})}});
     }
-    if (last.focus && std::abs(*last.focus) < endless && pencil.stages.size() > 1) draw_focus(pencil, *last.focus, strong);
+    if (last.focus && std::abs(*last.focus) < endless && pencil.stages.size() > 1)
+      draw_focus(pencil, *last.focus, strong);
   }
 
   /// Where the pencil folds: before its rays, or behind their start, from where they seem to come.

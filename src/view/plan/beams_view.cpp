@@ -142,8 +142,8 @@ class BeamPainter {
     const double behind = cross(last - first, other) / across;
     const Vec2d apex = painter_.pixels(first + behind * back);
     // Where a cone converges, its own edges lead there.
-    if (behind < 0) return painter_.add(CircleItem{apex, 5 * painter_.sizes.unit, std::nullopt,
-                                                   painter_.stroke(style_.colour, 1.6)});
+    if (behind < 0)
+      return painter_.add(CircleItem{apex, 5 * painter_.sizes.unit, std::nullopt, painter_.stroke(style_.colour, 1.6)});
     const Stroke dashed{style_.colour.with_alpha(170), painter_.sizes.unit, painter_.scaled({{3, 5}, 2})};
     painter_.add_clipped({painter_.pixels(first), apex, dashed});
     painter_.add_clipped({painter_.pixels(last), apex, dashed});

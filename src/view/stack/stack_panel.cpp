@@ -42,12 +42,10 @@ std::string ray_text(const State& state, const RayRecord& ray) {
     return fill(ray.beam < 0          ? "stack.primary_ray"
                 : timeline.of_beams() ? "stack.beam"
                                       : "stack.cone",
-                state.appearance.language,
-                {{"pixel", timeline.pixels()[static_cast<std::size_t>(ray.pixel)].column}});
+                state.appearance.language, {{"pixel", timeline.pixels()[static_cast<std::size_t>(ray.pixel)].column}});
   const int from = ray_of(timeline, ray.parent).object;
   const std::string name = from < 0 ? std::string() : object_name(state, from);
-  return fill("stack.ray_from", state.appearance.language,
-              {{"ray", std::string(text(ray.kind, state.appearance.language))}, {"object", name}});
+  return fill("stack.ray_from", state.appearance.language, {{"ray", kind_name(state, ray.kind)}, {"object", name}});
 }
 
 /// Adds the returned colour of the SHADE of `ray`'s hit.

@@ -3,6 +3,7 @@
 
 #include "scene/names.h"
 #include "view/state.h"
+#include "view/text/text.h"
 
 #include <string>
 
@@ -17,6 +18,12 @@ namespace raywalk {
 }
 [[nodiscard]] inline std::string light_name(const State& state, int light) {
   return shown_name(state, state.scene().lights[static_cast<std::size_t>(light)].name);
+}
+
+/// What follows rays: "shadow ray", and of a walk of cones "cone".
+[[nodiscard]] inline std::string kind_name(const State& state, RayKind kind) {
+  const bool cone = kind == RayKind::beam && state.walk.timeline->of_cones();
+  return std::string(cone ? text("plan.cone", state.appearance.language) : text(kind, state.appearance.language));
 }
 
 }  // namespace raywalk

@@ -74,7 +74,7 @@ void lay_out(TreePanel& panel) {
 }  // namespace
 
 std::string node_text(const State& state, const TreeNode& node) {
-  std::string what(text(node.kind, state.appearance.language));
+  std::string what = kind_name(state, node.kind);
   if (node.future) return fill("tree.node_future", state.appearance.language, {{"ray", what}});
   if (!node.throughput.empty())
     what = fill("tree.node_share", state.appearance.language, {{"ray", what}, {"share", node.throughput}});

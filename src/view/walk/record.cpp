@@ -1,6 +1,6 @@
 #include "render/world_cache.h"
-#include "timeline/recorder.h"
 #include "scene/cone_limits.h"
+#include "timeline/recorder.h"
 #include "trace/outlines.h"
 #include "view/action.h"
 #include "view/document/document.h"

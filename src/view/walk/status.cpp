@@ -21,12 +21,6 @@ std::string str(const State& state, Id id) {
   return std::string(text(id, state.appearance.language));
 }
 
-/// "shadow ray", "cone".
-std::string kind_text(const State& state, RayKind kind) {
-  if (kind == RayKind::beam && state.walk.timeline->of_cones()) return str(state, "plan.cone");
-  return str(state, kind);
-}
-
 std::string ray_text(const State& state, int index) {
   const Timeline& timeline = *state.walk.timeline;
   const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(index)];
@@ -44,14 +38,12 @@ std::string ray_text(const State& state, int index) {
     const int column = timeline.pixels()[static_cast<std::size_t>(ray.pixel)].column;
     what = timeline.of_strip()
                ? fill("pointed.ray_of_cell", state.appearance.language,
-                      {{"ray", kind_text(state, ray.kind)}, {"cell", column}})
-               : fill("pointed.ray_of_pixel", state.appearance.language,
-                      {{"ray", kind_text(state, ray.kind)}});
+                      {{"ray", kind_name(state, ray.kind)}, {"cell", column}})
+               : fill("pointed.ray_of_pixel", state.appearance.language, {{"ray", kind_name(state, ray.kind)}});
   } else {
     const int from = timeline.rays()[static_cast<std::size_t>(ray.parent)].object;
     what = fill("pointed.ray_from", state.appearance.language,
-                {{"ray", kind_text(state, ray.kind)},
-                 {"object", from < 0 ? "" : object_name(state, from)}});
+                {{"ray", kind_name(state, ray.kind)}, {"object", from < 0 ? "" : object_name(state, from)}});
   }
   const bool known = !ray.formed || ray.found_at <= state.walk.position;
   return known ? what + ": " + std::string(text(ray.ending, state.appearance.language)) : what;
