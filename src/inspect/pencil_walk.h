@@ -11,18 +11,18 @@ namespace raywalk {
 
 /// A ray of the way from EYE, and the pencil about it.
 struct PencilStage {
-  int ray;                   ///< index in Timeline::rays()
-  Vec3d origin, direction;   ///< direction: of unit length
-  double length;             ///< to where it ends; infinite if it meets nothing
-  PencilMatrix start;        ///< from EYE to where it starts
-  double n = 1;              ///< index of what it goes through
-  bool reflected = false;    ///< else refracted, or from EYE
-  double curvature = 0;      ///< of the surface that it leaves, in the plan, towards the ray before
+  int ray;                      ///< index in Timeline::rays()
+  Vec3d origin, direction;      ///< direction: of unit length
+  double length;                ///< to where it ends; infinite if it meets nothing
+  PencilMatrix start;           ///< from EYE to where it starts
+  double n = 1;                 ///< index of what it goes through
+  bool reflected = false;       ///< else refracted, or from EYE
+  double curvature = 0;         ///< of the surface that it leaves, in the plan, towards the ray before
   std::optional<double> focus;  ///< how far along it, or behind its start, the pencil folds
 };
 
-/// The way of ray `ray` from EYE, first ray first. Empty where it is no ray of a strip that is reflected or refracted in
-/// the plan: where it has a width, was drawn at random or leaves the plan.
+/// The way of ray `ray` from EYE, first ray first. Empty where it is no ray of a strip that is reflected or refracted
+/// in the plan: where it has a width, was drawn at random or leaves the plan.
 [[nodiscard]] std::vector<PencilStage> pencil_of(const World<double>& world, const Timeline& timeline, int ray);
 
 /// The true ray that leaves EYE by `angle` to the left of the first stage's: where it starts in each stage, and last

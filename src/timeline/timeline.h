@@ -35,13 +35,13 @@ struct RayRecord {
   Vec3d normal{0.0};     ///< outward normal where it hit something
   int object = -1;       ///< index in Scene::objects of what it hit, or of its blocker
   int part = 0;
-  int light = -1;           ///< shadow rays, photons: index in Scene::lights
-  Rgbd throughput{1.0};     ///< at most this fraction of its radiance reaches the pixel
-  Rgbd transmittance{1.0};  ///< shadow rays: of filtering objects
-  int beam = -1;            ///< index in beams(): a beam, a cone or a part of one
+  int light = -1;                     ///< shadow rays, photons: index in Scene::lights
+  Rgbd throughput{1.0};               ///< at most this fraction of its radiance reaches the pixel
+  Rgbd transmittance{1.0};            ///< shadow rays: of filtering objects
+  int beam = -1;                      ///< index in beams(): a beam, a cone or a part of one
   double radius = 0, end_radius = 0;  ///< shadow cones: where they start, and at the light
-  int formed_at = 0;        ///< position from which it is drawn
-  int found_at = 0;         ///< position from which its end is known
+  int formed_at = 0;                  ///< position from which it is drawn
+  int found_at = 0;                   ///< position from which its end is known
 };
 
 /// One execution of SHADE, FOLLOW PATH, FOLLOW PHOTON, GATHER LIGHT, SHADE PARTS or SHADE CONE.

@@ -1,7 +1,7 @@
 #pragma once
 // What covers a cone, front to back: how much of it each object does. J. Amanatides, "Ray Tracing with Cones", SIGGRAPH
-// 1984. The cone's rays are the points of a unit disc (trace/ray_cone.h); in it a sphere is taken as a disc, and a plane
-// or polygon has straight edges, so that the covered areas have closed forms.
+// 1984. The cone's rays are the points of a unit disc (trace/ray_cone.h); in it a sphere is taken as a disc, and a
+// plane or polygon has straight edges, so that the covered areas have closed forms.
 //
 // Only how much is known, not which rays: what is behind gets its share of what those before have left, as if each
 // covered rays at random. That is exact for one object before another that fills the cone. Where two share an edge it
@@ -47,14 +47,14 @@ struct ConeBody {
 
 /// A part of a cone, covered by one object, or by one face of it.
 struct ConePart {
-  int body = -1;       ///< index; -1: nothing covers it
-  int part = 0;        ///< of its shape's intersections
-  bool inside = false; ///< the cone starts inside of it
-  double cover = 1;    ///< share of the cone that it covers by itself
-  double share = 1;    ///< share of the cone that sees it
-  Vec2d place{0};      ///< of a ray in the middle of what it covers
-  double size = 1;     ///< of the cone about it that is as large as what it covers: its share of the cone's width
-  double t = 0;        ///< along that ray, in lengths of RayCone::direction, to the object
+  int body = -1;        ///< index; -1: nothing covers it
+  int part = 0;         ///< of its shape's intersections
+  bool inside = false;  ///< the cone starts inside of it
+  double cover = 1;     ///< share of the cone that it covers by itself
+  double share = 1;     ///< share of the cone that sees it
+  Vec2d place{0};       ///< of a ray in the middle of what it covers
+  double size = 1;      ///< of the cone about it that is as large as what it covers: its share of the cone's width
+  double t = 0;         ///< along that ray, in lengths of RayCone::direction, to the object
 };
 
 /// Where a cone starts: on part `part` of this object, which it cannot meet at once.

@@ -112,8 +112,7 @@ Rgb<T> ConeTracer<T, Watcher>::transmittance_of(const ConePart& blocker, const P
                                                 const Light& light) {
   const int object = bodies_[static_cast<std::size_t>(blocker.body)].object;
   const int primitive = primitives_[static_cast<std::size_t>(object)];
-  if (world_.shadow_roles.empty() ||
-      world_.shadow_roles[static_cast<std::size_t>(primitive)] != ShadowRole::filters)
+  if (world_.shadow_roles.empty() || world_.shadow_roles[static_cast<std::size_t>(primitive)] != ShadowRole::filters)
     return Rgb<T>(0);
   const SurfaceVertex<T>& at = *part.at;
   const double distance = length(Vec3d(shadow.to_light));
@@ -142,8 +141,8 @@ void ConeTracer<T, Watcher>::add_light(DirectLighting& direct, const Part& part,
   const Rgb<T> diffuse = radiance * at.bsdf.diffuse * std::max(dot(at.bsdf.shading_normal, l), T(0));
   Rgb<T> specular{0};
   if (!is_black(at.specular))
-    specular = radiance * at.specular *
-               power_of_cosine(dot(at.bsdf.shading_normal, h), dot(h, h), at.surface->shininess);
+    specular =
+        radiance * at.specular * power_of_cosine(dot(at.bsdf.shading_normal, h), dot(h, h), at.surface->shininess);
   direct.sum += diffuse + specular;
   if constexpr (Observer::watches) direct.terms.push_back({light.index, Rgbd(diffuse), Rgbd(specular)});
 }

@@ -20,7 +20,8 @@ namespace detail {
 template <class T>
 class ConeDifferential {
  public:
-  ConeDifferential(const World<T>& world, const ConeWidth& width) : world_(world), width_(static_cast<T>(width.radius)) {}
+  ConeDifferential(const World<T>& world, const ConeWidth& width)
+      : world_(world), width_(static_cast<T>(width.radius)) {}
 
   [[nodiscard]] bool filters(const typename World<T>::Surface& surface) const {
     return world_.filters() && world_.filters(surface);
@@ -94,7 +95,7 @@ auto ConeTracer<T, Watcher>::form_cone(const Pixel& pixel) -> Cone {
     cone.medium = nested_.at_eye(middle, statistics_.tests);
   }
   note(Line::form_cone, 0, [&] {
-    return BeamFormed{cone.number, -1,     eye, 0, 1, area_of(cone.shape, ConePart{}), Rgbd(cone.throughput), 0, spread};
+    return BeamFormed{cone.number, -1, eye, 0, 1, area_of(cone.shape, ConePart{}), Rgbd(cone.throughput), 0, spread};
   });
   return cone;
 }
@@ -228,25 +229,23 @@ double ConeTracer<T, Watcher>::curvature_at(const Part& part) const {
 }
 
 template <class T, class Watcher>
-auto ConeTracer<T, Watcher>::form_reflected_cone(int depth, const Part& part, const Cone& cone)
-    -> std::optional<Cone> {
+auto ConeTracer<T, Watcher>::form_reflected_cone(int depth, const Part& part, const Cone& cone) -> std::optional<Cone> {
   const Bsdf<T>& bsdf = part.at->bsdf;
   const double cos_in = std::abs(static_cast<double>(dot(bsdf.incident, bsdf.shading_normal)));
-  const ConeWidth width = widened(mirrored_cone(part.width, curvature_at(part), cos_in, flat_),
-                                  static_cast<double>(bsdf.mirror_width));
+  const ConeWidth width =
+      widened(mirrored_cone(part.width, curvature_at(part), cos_in, flat_), static_cast<double>(bsdf.mirror_width));
   return form_next_cone(Line::form_reflected_cone, depth, part, cone, bsdf.mirror_axis, width, bsdf.mirror,
                         part.at->medium);
 }
 
 template <class T, class Watcher>
-auto ConeTracer<T, Watcher>::form_refracted_cone(int depth, const Part& part, const Cone& cone)
-    -> std::optional<Cone> {
+auto ConeTracer<T, Watcher>::form_refracted_cone(int depth, const Part& part, const Cone& cone) -> std::optional<Cone> {
   const Refraction<T>& at = part.at->refraction;
   const Bsdf<T>& bsdf = part.at->bsdf;
-  const ConeWidth width = widened(
-      refracted_cone(part.width, curvature_at(part), static_cast<double>(at.n1), static_cast<double>(at.n2),
-                     static_cast<double>(at.cos_in), static_cast<double>(at.cos_out), flat_),
-      static_cast<double>(bsdf.transparent_width));
+  const ConeWidth width =
+      widened(refracted_cone(part.width, curvature_at(part), static_cast<double>(at.n1), static_cast<double>(at.n2),
+                             static_cast<double>(at.cos_in), static_cast<double>(at.cos_out), flat_),
+              static_cast<double>(bsdf.transparent_width));
   return form_next_cone(Line::form_refracted_cone, depth, part, cone, bsdf.transparent_axis, width, bsdf.transparent,
                         part.at->behind);
 }
@@ -280,8 +279,8 @@ auto ConeTracer<T, Watcher>::form_next_cone(Line line, int depth, const Part& pa
                   medium};
   note(line, depth, [&] {
     const Vec3d apex = width.spread != 0 ? origin - width.radius / width.spread * along : origin;
-    return BeamFormed{next.number,  part.number, apex, 0, 1, area_of(next.shape, ConePart{}), Rgbd(throughput),
-                      width.radius, width.spread};
+    return BeamFormed{next.number,      part.number,  apex,        0, 1, area_of(next.shape, ConePart{}),
+                      Rgbd(throughput), width.radius, width.spread};
   });
   return next;
 }

@@ -1,14 +1,14 @@
 #pragma once
 // Cone tracing: J. Amanatides, "Ray Tracing with Cones", SIGGRAPH 1984. A pixel is one cone, and so is what a surface
-// reflects or refracts of it, as wide as the surface's curvature and roughness make it (trace/ray_cone.h). What covers a
-// cone is known as a share of it (trace/cone_cover.h), so that one cone is antialiased, one shadow cone to a light with
-// an extent makes a penumbra, and one reflected cone a gloss. `main_algorithm` and `shade_cone` read like
+// reflects or refracts of it, as wide as the surface's curvature and roughness make it (trace/ray_cone.h). What covers
+// a cone is known as a share of it (trace/cone_cover.h), so that one cone is antialiased, one shadow cone to a light
+// with an extent makes a penumbra, and one reflected cone a gloss. `main_algorithm` and `shade_cone` read like
 // trace/pseudocode.h, and a test holds them together; what a statement does stands in trace/cone_steps.h.
 //
-// Where it errs: shares of several objects are multiplied as if they had nothing to do with each other; a part is shaded
-// in one place, in its middle; a shadow cone starts as wide as the part and ends as wide as the light, which is seen as
-// a disc of its area (in the plan: as wide as it is) whatever its shape; a cone bent by a curved surface is right near
-// its axis only, and always round. It draws no random numbers.
+// Where it errs: shares of several objects are multiplied as if they had nothing to do with each other; a part is
+// shaded in one place, in its middle; a shadow cone starts as wide as the part and ends as wide as the light, which is
+// seen as a disc of its area (in the plan: as wide as it is) whatever its shape; a cone bent by a curved surface is
+// right near its axis only, and always round. It draws no random numbers.
 //
 // With n samples a pixel is n cones, each for its own share of the pixel.
 

@@ -1,14 +1,14 @@
 #pragma once
-// Pencils of rays: M. Shinya, T. Takahashi and S. Naito, "Principles and Applications of Pencil Tracing", SIGGRAPH 1987.
-// Rays near one ray, the axis, are followed by a system matrix, as in the optics of lens designers (paraxial rays about
-// any ray, not about an axis of symmetry). Across the axis lie two planes that do not mix where curvature is a sphere's
-// or 0 and the axis stays in a plane: that of incidence, which is the plan, and the one across it. In each a ray is its
-// distance from the axis and its slope against it, and what happens to both is a 2 x 2 matrix; the 4 x 4 one in space is
-// both beside each other.
+// Pencils of rays: M. Shinya, T. Takahashi and S. Naito, "Principles and Applications of Pencil Tracing", SIGGRAPH
+// 1987. Rays near one ray, the axis, are followed by a system matrix, as in the optics of lens designers (paraxial rays
+// about any ray, not about an axis of symmetry). Across the axis lie two planes that do not mix where curvature is a
+// sphere's or 0 and the axis stays in a plane: that of incidence, which is the plan, and the one across it. In each a
+// ray is its distance from the axis and its slope against it, and what happens to both is a 2 x 2 matrix; the 4 x 4 one
+// in space is both beside each other.
 //
-// Lengths are those of the world, slopes those of small angles: exact to first order. A matrix from a medium of index n1
-// to one of n2 has the determinant n1 / n2 (up to the sign by which a mirror turns the plan over), for light is neither
-// lost nor gained between rays.
+// Lengths are those of the world, slopes those of small angles: exact to first order. A matrix from a medium of index
+// n1 to one of n2 has the determinant n1 / n2 (up to the sign by which a mirror turns the plan over), for light is
+// neither lost nor gained between rays.
 
 #include "trace/ray_cone.h"
 
@@ -52,9 +52,9 @@ struct PencilMatrix {
   return {wide.radius, steep.radius, wide.spread, steep.spread};
 }
 
-/// How far along the axis the rays meet that come from one point (where the matrix begins), or from parallel ones: there
-/// the pencil folds, and light that comes from a point is a caustic. Negative: behind, where they seem to come from.
-/// None where they run in parallel.
+/// How far along the axis the rays meet that come from one point (where the matrix begins), or from parallel ones:
+/// there the pencil folds, and light that comes from a point is a caustic. Negative: behind, where they seem to come
+/// from. None where they run in parallel.
 [[nodiscard]] inline std::optional<double> focus_of_point(const PencilMatrix& system) {
   if (system.d == 0) return std::nullopt;
   return -system.b / system.d;

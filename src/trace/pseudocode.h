@@ -41,8 +41,8 @@ inline constexpr Word<Procedure> words_of<Procedure>[] = {{Procedure::main_algor
                                                           {Procedure::shade_cone, "SHADE CONE (DEPTH, RTNSHADE)"}};
 
 /// The lines of the procedures, in the order shown on the screen. Each text is also the comment that heads its
-/// statement in trace/tracer.h, trace/path.h, trace/photons.h, trace/radiosity.h, trace/beams.h or trace/cones.h; a test holds the two
-/// together, and another each to its translations.
+/// statement in trace/tracer.h, trace/path.h, trace/photons.h, trace/radiosity.h, trace/beams.h or trace/cones.h; a
+/// test holds the two together, and another each to its translations.
 enum class Line {
   for_each_pixel,
   form_primary_ray,

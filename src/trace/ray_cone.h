@@ -4,8 +4,8 @@
 // where the radius would be 0, behind the start or, where the cone converges, before it.
 //
 // A ray of the cone is named by its place u in the unit disc: it starts at origin + radius u and goes along
-// axis + spread u, so that at depth t along the axis it is radius + spread t away from it, times u. In a flat world u is
-// a number from -1 to 1.
+// axis + spread u, so that at depth t along the axis it is radius + spread t away from it, times u. In a flat world u
+// is a number from -1 to 1.
 //
 // What the approximation is: rays near the axis are followed exactly to first order. A cone stays round: where a curved
 // surface spreads it in one way and not in the other, it takes the mean of both. A spread has a limit
@@ -20,11 +20,12 @@ inline constexpr double largest_spread = 4;
 
 struct RayCone {
   Vec3d origin;
-  Vec3d axis;        ///< of unit length
-  Vec3d right, up;   ///< the axes of u: of unit length, at right angles to `axis`; in a flat world `right` is in the plan
-  double radius;     ///< where it starts, >= 0
-  double spread;     ///< of the radius with the distance along the axis; < 0: it converges
-  bool flat = false; ///< in a flat world u.y is 0
+  Vec3d axis;  ///< of unit length
+  Vec3d right,
+      up;         ///< the axes of u: of unit length, at right angles to `axis`; in a flat world `right` is in the plan
+  double radius;  ///< where it starts, >= 0
+  double spread;  ///< of the radius with the distance along the axis; < 0: it converges
+  bool flat = false;  ///< in a flat world u.y is 0
 
   [[nodiscard]] double radius_at(double depth) const { return radius + spread * depth; }
   [[nodiscard]] Vec3d across(const Vec2d& u) const { return u.x * right + u.y * up; }
@@ -36,8 +37,8 @@ struct RayCone {
 /// A cone about `axis`, of unit length.
 [[nodiscard]] RayCone cone_about(const Vec3d& origin, const Vec3d& axis, double radius, double spread, bool flat);
 
-/// The narrower cone of those rays that are not farther than `size` from u, about ray u. What it is far away is exact to
-/// first order.
+/// The narrower cone of those rays that are not farther than `size` from u, about ray u. What it is far away is exact
+/// to first order.
 [[nodiscard]] RayCone part_of_cone(const RayCone& cone, const Vec2d& u, double size);
 
 /// How wide a cone is that arrives at a surface, or leaves it: radius and spread.
