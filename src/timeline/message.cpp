@@ -51,12 +51,18 @@ class Describer {
   /// Whether it hit the surface from outside: against its outward normal.
   [[nodiscard]] bool came_from_outside() const { return dot(shaded_ray().normal, shaded_ray().direction) < 0; }
   /// The object whose surface the executing SHADE shades, or at which FOLLOW PATH stands.
-  [[nodiscard]] std::string shaded() const {
-    if (timeline_.has_width()) return object(ray(timeline_.part_of(timeline_.current_ray(position_))).object);
-    if (!timeline_.of_paths()) return object(shaded_ray().object);
+  [[nodiscard]] int shaded_index() const {
+    if (timeline_.has_width()) return ray(timeline_.part_of(timeline_.current_ray(position_))).object;
+    if (!timeline_.of_paths()) return shaded_ray().object;
     const RayRecord& at = current();
     const bool leaves = at.kind == RayKind::shadow || at.formed_at == position_;
-    return object(leaves && at.parent >= 0 ? ray(at.parent).object : at.object);
+    return leaves && at.parent >= 0 ? ray(at.parent).object : at.object;
+  }
+  [[nodiscard]] std::string shaded() const { return object(shaded_index()); }
+  /// Whether what reflects there are small mirrors. Light may meet several, so a ray may count for more than 1.
+  [[nodiscard]] bool is_rough() const {
+    const int index = shaded_index();
+    return index >= 0 && scene_.objects[static_cast<std::size_t>(index)].material.is_rough();
   }
 
   [[nodiscard]] Message describe(const Event& /*event*/, const PixelBegun& begun) const {
@@ -67,7 +73,7 @@ class Describer {
 
   [[nodiscard]] Message describe(const Event& event, const RayFormed& formed) const {
     if (event.line == Line::form_next_ray || event.line == Line::gather_form_next_ray)
-      return {"walk.next_formed",
+      return {formed.kind == RayKind::reflect && is_rough() ? "walk.next_counts" : "walk.next_formed",
               {{"object", shaded()}, {"ray", formed.kind}, {"share", Fraction{max_component(formed.throughput)}}}};
     switch (formed.kind) {
       case RayKind::primary: {
@@ -292,21 +298,22 @@ class Describer {
   [[nodiscard]] Message describe(const Event& event, const DirectionChosen& chosen) const {
     if (event.line == Line::photon_choose_direction) {
       if (chosen.absorbed) return {"walk.photon_no_direction", {{"object", shaded()}}};
-      return {photon_by_lobe(chosen.lobe), {{"object", shaded()}}};
+      return {photon_by_lobe(chosen.lobe, is_rough()), {{"object", shaded()}}};
     }
     if (event.line == Line::gather_choose_direction && chosen.absorbed)
       return {"walk.gather_no_direction", {{"object", shaded()}}};
     if (chosen.absorbed) return {"walk.direction_none", {{"object", shaded()}}};
-    return {by_lobe(chosen.lobe), {{"object", shaded()}, {"share", Fraction{max_component(chosen.throughput)}}}};
+    return {by_lobe(chosen.lobe, is_rough()),
+            {{"object", shaded()}, {"share", Fraction{max_component(chosen.throughput)}}}};
   }
-  static std::string_view photon_by_lobe(Lobe lobe) {
+  static std::string_view photon_by_lobe(Lobe lobe, bool is_rough) {
     switch (lobe) {
       case Lobe::diffuse:
         return "walk.photon_diffused";
       case Lobe::highlight:
         return "walk.photon_in_highlight";
       case Lobe::mirror:
-        return "walk.photon_mirrored";
+        return is_rough ? "walk.photon_small_mirror" : "walk.photon_mirrored";
       case Lobe::transparent:
         return "walk.photon_passed";
       case Lobe::phase:
@@ -314,14 +321,14 @@ class Describer {
     }
     return {};
   }
-  static std::string_view by_lobe(Lobe lobe) {
+  static std::string_view by_lobe(Lobe lobe, bool is_rough) {
     switch (lobe) {
       case Lobe::diffuse:
         return "walk.direction_diffuse";
       case Lobe::highlight:
         return "walk.direction_highlight";
       case Lobe::mirror:
-        return "walk.direction_mirror";
+        return is_rough ? "walk.direction_small_mirror" : "walk.direction_mirror";
       case Lobe::transparent:
         return "walk.direction_transparent";
       case Lobe::phase:

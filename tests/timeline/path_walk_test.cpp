@@ -116,6 +116,28 @@ TEST_CASE("every message of a path is reached, and names what the event says") {
   CHECK(found.count("walk.path_length") == 1);
 }
 
+TEST_CASE("of a rough mirror it is said that a small one reflects, and not that a ray brings more than the pixel") {
+  const auto document = read_scene(std::string(RAYWALK_SOURCE_DIR) + "/scenes/metals.toml");
+  REQUIRE(document.has_value());
+  const Scene& scene = document->scene;
+  const Timeline timeline = record_strip(scene);
+  int rough = 0, smooth = 0, counted = 0;
+  for (int position = 1; position <= timeline.steps(); ++position) {
+    const Message message = describe(scene, timeline, position);
+    const auto is = [&](std::string_view id) { return message.id == id; };
+    if (!is("walk.direction_mirror") && !is("walk.direction_small_mirror") && !is("walk.next_counts")) continue;
+    const auto& name = std::get<std::string>(message.arguments.at(0).value);
+    const auto of = std::find_if(scene.objects.begin(), scene.objects.end(),
+                                 [&](const Object& object) { return object.name == name; });
+    REQUIRE(of != scene.objects.end());
+    CHECK(of->material.is_rough() == !is("walk.direction_mirror"));
+    (is("walk.direction_mirror") ? smooth : is("walk.next_counts") ? counted : rough) += 1;
+  }
+  CHECK(rough > 0);
+  CHECK(smooth > 0);
+  CHECK(counted > 0);
+}
+
 TEST_CASE("every message about a sky is reached") {
   const auto document = read_scene(std::string(RAYWALK_SOURCE_DIR) + "/scenes/gold.toml");
   REQUIRE(document.has_value());

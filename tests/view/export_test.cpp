@@ -210,3 +210,15 @@ TEST_CASE("a film goes to the end of the pixel, or of the walk, as fast as the g
   update(state, action::Jump{state.walk.timeline->steps()});
   CHECK(film_positions(state) == std::vector{state.walk.timeline->steps()});
 }
+
+TEST_CASE("slides of a shipped scene have its title in the language of the window") {
+  const TemporaryFolder folder;
+  const std::string scenes = RAYWALK_SOURCE_DIR "/scenes";
+  State state = make_state(read_document(scenes + "/classic.toml"), scenes + "/classic.toml");
+  state.lessons.scenes_folder = scenes;
+  update(state, action::Export{folder.file("english.html")});
+  CHECK(contents(folder.file("english.html")).find("<h1>" + state.scene().title) != std::string::npos);
+  state.appearance.language = in_portuguese;
+  update(state, action::Export{folder.file("portuguese.html")});
+  CHECK(contents(folder.file("portuguese.html")).find("<h1>A clássica</h1>") != std::string::npos);
+}

@@ -285,6 +285,17 @@ TEST_CASE("appearance and talk") {
   CHECK(state.document.quit);
 }
 
+TEST_CASE("what could not be opened is said in the dialog, and no longer once that is closed") {
+  State state = classic_state();
+  update(state, action::AskOpen{});
+  update(state, action::Open{"/nowhere/at_all.toml"});
+  CHECK(state.document.prompt == PathPrompt::open);
+  REQUIRE(state.document.notice);
+  update(state, action::CancelPrompt{});
+  CHECK(state.document.prompt == PathPrompt::none);
+  CHECK_FALSE(state.document.notice);
+}
+
 TEST_CASE("an edit that was undone leaves nothing to recover") {
   TemporaryFolder folder;
   State state = make_state(read_document(shipped_scenes().front()), shipped_scenes().front(), folder.path());

@@ -7,8 +7,11 @@
 #include "fixtures.h"
 #include "io/scene_file.h"
 #include "support/catch.h"
+#include "support/languages.h"
+#include "view/plan/painter.h"
 #include "view/plan/plan_geometry.h"
 #include "view/plan/plan_view.h"
+#include "view/text/text.h"
 #include "view/walk/walk.h"
 
 using namespace raywalk;
@@ -96,4 +99,64 @@ TEST_CASE("there is no lobe where nothing is reflected, nor while the scene is c
   CHECK(lobe(state));
   update(state, action::SetMode{Mode::move});
   CHECK_FALSE(lobe(state));
+}
+
+TEST_CASE("the lobe and its words stay within the sky's ring, and the words off the bodies' outlines") {
+  for (const Language language : all_languages())
+    for (const Viewport pane : {Viewport{857, 476}, Viewport{550, 240}}) {
+      State state = metals(Integrator::path);
+      state.plan.viewport = pane;
+      state.appearance.language = language;
+      update(state, action::FitView{});
+      // The ring's inner edge: four pixels from the pane's, nine wide.
+      const auto within = [&](const Vec2d& at) {
+        const double x = (at.x - pane.width / 2) / (pane.width / 2 - 13);
+        const double y = (at.y - pane.height / 2) / (pane.height / 2 - 13);
+        return x * x * x * x + y * y * y * y < 1;
+      };
+      int said = 0, lobes = 0;
+      for (const RayRecord& ray : state.walk.timeline->rays()) {
+        if (ray.kind != RayKind::primary || ray.object < 0) continue;
+        update(state, action::Jump{ray.found_at});
+        const auto curve = lobe(state);
+        if (!curve) continue;
+        ++lobes;
+        INFO(language.code() << ", pixel " << ray.pixel << ", " << pane.width << " wide");
+        CHECK(std::all_of(curve->points.begin(), curve->points.end(), within));
+        const DisplayList list = plan_view(state);
+        for (const DisplayItem& item : list) {
+          const auto* words = std::get_if<TextItem>(&item.shape);
+          if (words == nullptr ||
+              (words->text != text("plan.lobe", language) && words->text != text("plan.lobe_short", language)))
+            continue;
+          ++said;
+          const Vec2d half(width_of(words->text, words->size) / 2, words->size / 2);
+          for (const double x : {-half.x, half.x})
+            for (const double y : {-half.y, half.y}) CHECK(within(words->at + Vec2d(x, y)));
+          for (const DisplayItem& other : list)
+            if (const auto* ball = std::get_if<CircleItem>(&other.shape);
+                ball != nullptr && other.target.kind == TargetKind::object) {
+              const Vec2d nearest(std::clamp(ball->centre.x, words->at.x - half.x, words->at.x + half.x),
+                                  std::clamp(ball->centre.y, words->at.y - half.y, words->at.y + half.y));
+              CHECK(length(nearest - ball->centre) >= ball->radius);
+            }
+        }
+      }
+      CHECK(lobes > 5);
+      CHECK(said == lobes);
+    }
+}
+
+TEST_CASE("without random numbers the lobe is said to be that of the highlights") {
+  State state = metals(Integrator::whitted);
+  update(state, action::Jump{hit_of(state, "Rough Gold")});
+  const auto says = [&](std::string_view id) {
+    const DisplayList list = plan_view(state);
+    return std::any_of(list.begin(), list.end(), [&](const DisplayItem& item) {
+      const auto* words = std::get_if<TextItem>(&item.shape);
+      return words != nullptr && words->text == text(id, state.appearance.language);
+    });
+  };
+  CHECK(says("plan.lobe_highlight"));
+  CHECK_FALSE(says("plan.lobe"));
 }

@@ -178,6 +178,10 @@ void action::AskOpen::apply(State& state) const { ask_path(state, PathPrompt::op
 void action::AskSaveAs::apply(State& state) const { ask_path(state, PathPrompt::save_as); }
 
 void action::CancelPrompt::apply(State& state) const {
+  // What went wrong in the dialog has been read there.
+  const auto& notice = state.document.notice;
+  if (state.document.prompt != PathPrompt::none && notice && notice->kind == Notice::Kind::error)
+    state.document.notice.reset();
   state.document.prompt = PathPrompt::none;
   state.document.after_save.reset();
 }

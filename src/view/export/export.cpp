@@ -1,6 +1,7 @@
 #include "view/export/export.h"
 
 #include "text/file.h"
+#include "text/file_ledger.h"
 #include "timeline/event_json.h"
 #include "timeline/message.h"
 #include "view/action.h"
@@ -25,9 +26,19 @@ namespace raywalk {
 
 namespace {
 
+/// In the language of the window: a shipped scene's title is that of the gallery, unless it was changed.
+std::string title_of(const State& state) {
+  const std::string& path = state.document.path;
+  const std::string name = std::filesystem::path(path).stem().string(), &own = state.scene().title;
+  const bool is_shipped = !path.empty() && own == saved_scene(state).title &&
+                          shipped_sentence(state, name) != nullptr && is_same_file(path, shipped_path(state, name));
+  return is_shipped && state.appearance.language.code() != "en" ? shipped_title(state, name) : own;
+}
+
 /// Exports that need no window.
 Result<std::string> exported(const State& state, ExportKind kind) {
-  const Scene& scene = state.scene();
+  Scene scene = state.scene();
+  scene.title = title_of(state);
   switch (kind) {
     case ExportKind::plan:
       return svg_file(plan_view(state, state.plan.viewport), state.plan.viewport.width, state.plan.viewport.height,

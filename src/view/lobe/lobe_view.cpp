@@ -89,8 +89,14 @@ void LobeRoom::draw_in_plan(Painter& painter) {
     if (curve.back().much > most.much) most = curve.back();
   }
   if (!(most.much > 0)) return;
-  const double reach = 70 * painter.sizes.unit;
   const Vec2d hit = painter.pixels(Vec2d(ray->end.x, ray->end.y));
+  // Within the ring or the pane, and small rather than cut.
+  constexpr double of_the_room = 0.8, least = 12;
+  double reach = 70 * painter.sizes.unit;
+  for (const Sent& one : curve)
+    reach = std::min(reach, of_the_room * painter.room_along(hit, Vec2d(one.along.x, -one.along.y)) * most.much /
+                                std::max(one.much, 1e-9 * most.much));
+  if (reach < least * painter.sizes.unit) return;
   const auto place = [&](const Sent& one) {
     const double far = one.much / most.much * reach;
     return Vec2d(hit.x + far * one.along.x, hit.y - far * one.along.y);
@@ -106,7 +112,10 @@ void LobeRoom::draw_in_plan(Painter& painter) {
   painter.add(std::move(shape));
   painter.kept_free.push_back(box);
   const Vec2d out(most.along.x, -most.along.y);
-  painter.note_beside(place(most), out, std::string(text("plan.lobe", state.appearance.language)));
+  // Without random numbers a mirror sends on one ray only: the lobe is that of the highlights.
+  const bool is_sampled = draws_random(integrator_of(*walked, walked->render.samples));
+  for (const std::string_view id : {is_sampled ? "plan.lobe" : "plan.lobe_highlight", "plan.lobe_short"})
+    if (painter.note_beside(place(most), out, std::string(text(id, state.appearance.language)))) break;
 }
 
 }  // namespace raywalk

@@ -39,37 +39,6 @@ std::optional<Filled> filled(const Shape2d& shape) {
   return Filled{box, *polygon->fill};
 }
 
-/// The width of a text in the window's font, slightly overestimated. text_width() is 50% more, for other fonts, which
-/// would keep names off bodies that they fit on.
-double width_of(const std::string& text, double size) {
-  const auto letter = [](char c) {
-    switch (c) {
-      case 'i':
-      case 'j':
-      case 'l':
-      case ' ':
-      case '.':
-        return 0.24;
-      case 'f':
-      case 'r':
-      case 't':
-      case 'I':
-        return 0.34;
-      case 'm':
-      case 'w':
-      case 'M':
-      case 'W':
-        return 0.76;
-      default:
-        return c >= 'A' && c <= 'Z' ? 0.58 : 0.5;
-    }
-  };
-  double width = 0;
-  for (const char c : text)
-    if ((c & 0xC0) != 0x80) width += letter(c) * size;
-  return std::min(width, text_width(text, size));
-}
-
 /// Fraction of a label's box that a body covers, by samples.
 double covered(const DrawnBody& body, const PixelRect& label) {
   if (body.box.overlap(label) <= 0) return 0;
@@ -159,6 +128,13 @@ std::optional<std::array<Vec2d, 2>> line_to(const std::vector<DrawnBody>& bodies
   }
   const Vec2d from(std::clamp(thing.at.x, label.min.x, label.max.x), std::clamp(thing.at.y, label.min.y, label.max.y));
   const Vec2d way = thing.at - from;
+  if (thing.strip) {
+    const auto is_beside = [&](const Vec2d& at) { return distance_to({*thing.strip}, at) > 0; };
+    constexpr int steps = 64;
+    int i = 0;
+    while (i < steps && is_beside(from + static_cast<double>(i) / steps * way)) ++i;
+    return std::array{from, from + static_cast<double>(i) / steps * way};
+  }
   const Vec2d reach = thing.half + 6 * unit;
   const double inside =
       std::min({1.0, reach.x / std::max(std::abs(way.x), 1e-9), reach.y / std::max(std::abs(way.y), 1e-9)});
@@ -205,7 +181,11 @@ class Places {
         beside(letters, gap * unit_, extra_cost * area_, gap > near);
         if (!thing_.body) break;
       }
-    return best_;
+    // Farther away rather than not at all; and rather over rays than where it may not be.
+    for (const double gap : {16 * near, 22 * near, 30 * near})
+      for (const NameLines& letters : letterings_)
+        if (!is_shown(thing_, best_shown_)) beside(letters, gap * unit_, (0.1 + 0.006 * gap) * area_, true);
+    return is_shown(thing_, best_) || !is_shown(thing_, best_shown_) ? best_ : best_shown_;
   }
 
  private:
@@ -304,17 +284,21 @@ class Places {
     const double hidden = hidden_at(place);
     place.hidden = hidden / area(place.letters);
     place.cost = hidden + extra_cost;
-    if (place.cost >= best_.cost) return;
+    const bool serves = is_shown(thing_, place);
+    const auto loses = [&] { return place.cost >= best_.cost && (!serves || place.cost >= best_shown_.cost); };
+    if (loses()) return;
     if (!place.on_body) place.cost += lined(place.box());
     if (!place.on_body) place.cost += area_ * (led ? touching(place.box()) : mistakable(place.box()));
     const auto misleads = [&](const PixelRect& box) {
       const bool leads = led || (!place.on_body && is_ambiguous(bodies_, thing_, box, unit_));
       return struck_through(box) || (leads && (crosses(box) || strikes_through(box)));
     };
-    if (place.cost < best_.cost && misleads(place.box())) {
+    if (!loses() && misleads(place.box())) {
       place.cost += area_;
       place.hidden += 1;
     }
+    constexpr double little = 0.15;
+    if (place.cost < best_shown_.cost && is_shown(thing_, place) && place.hidden <= little) best_shown_ = place;
     if (place.cost < best_.cost) best_ = std::move(place);
   }
 
@@ -370,6 +354,7 @@ class Places {
   std::vector<NameLines> letterings_;
   double area_;  ///< of the name in one line, in pixels: the unit of costs
   LabelPlace best_;
+  LabelPlace best_shown_;  ///< of those where it may be shown, and hides next to nothing
 };
 
 /// The leader line from a name to its thing, if it is ambiguous or far away.

@@ -21,12 +21,13 @@ struct DrawnBody {
 /// A thing with a name to be placed on or beside it.
 struct Labelled {
   std::string text;
-  Vec2d at;             ///< middle of the thing, pixels
-  Vec2d half;           ///< half its extent
-  bool above = false;   ///< preferably above
-  Target body{};        ///< the filled drawing that the label may be placed on, if it fits
-  bool solid = false;   ///< no ray runs through the body, and through letters on it
-  bool wanted = false;  ///< shown even where it hides others
+  Vec2d at;                            ///< middle of the thing, pixels
+  Vec2d half;                          ///< half its extent
+  bool above = false;                  ///< preferably above
+  Target body{};                       ///< the filled drawing that the label may be placed on, if it fits
+  bool solid = false;                  ///< no ray runs through the body, and through letters on it
+  bool wanted = false;                 ///< shown even where it hides others
+  std::optional<PolygonItem> strip{};  ///< what a leader leads to, if that is narrower than the extent
 };
 
 /// A typeset name, in one line or two.

@@ -85,6 +85,20 @@ void add_objects(const Painter& painter, const std::vector<DrawnBody>& bodies, s
   }
 }
 
+/// The outline of SCREEN.
+std::optional<PolygonItem> drawn_screen(const DisplayList& list) {
+  std::optional<PolygonItem> whole;
+  for (const DisplayItem& item : list) {
+    const auto* cell = std::get_if<PolygonItem>(&item.shape);
+    if (cell == nullptr || item.target.kind != TargetKind::cell || cell->points.size() != 4) continue;
+    // From the first cell's beginning to the last one's end.
+    if (!whole) whole = *cell;
+    whole->points[2] = cell->points[2];
+    whole->points[3] = cell->points[3];
+  }
+  return whole;
+}
+
 std::vector<Labelled> labelled_things(const Painter& painter, const std::vector<DrawnBody>& bodies) {
   const double unit = painter.sizes.unit;
   const Camera& camera = painter.scene().camera;
@@ -100,6 +114,7 @@ std::vector<Labelled> labelled_things(const Painter& painter, const std::vector<
       {std::string(text("object.eye", painter.state.appearance.language)), middle_of_eye, Vec2d(17 * unit)});
   things.push_back(
       {std::string(text("object.screen", painter.state.appearance.language)), (first + last) / 2.0, screen_half});
+  things.back().strip = drawn_screen(painter.list);
   const PlanRoom& plan_room = painter.state.plan;
   for (std::size_t i = 0; i < painter.scene().lights.size(); ++i) {
     const Light& light = painter.scene().lights[i];

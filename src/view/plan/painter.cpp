@@ -13,6 +13,35 @@ double PixelRect::overlap(const PixelRect& other) const {
   return width > 0 && height > 0 ? width * height : 0;
 }
 
+double width_of(const std::string& text, double size) {
+  const auto letter = [](char c) {
+    switch (c) {
+      case 'i':
+      case 'j':
+      case 'l':
+      case ' ':
+      case '.':
+        return 0.24;
+      case 'f':
+      case 'r':
+      case 't':
+      case 'I':
+        return 0.34;
+      case 'm':
+      case 'w':
+      case 'M':
+      case 'W':
+        return 0.76;
+      default:
+        return c >= 'A' && c <= 'Z' ? 0.58 : 0.5;
+    }
+  };
+  double width = 0;
+  for (const char c : text)
+    if ((c & 0xC0) != 0x80) width += letter(c) * size;
+  return std::min(width, text_width(text, size));
+}
+
 bool PixelRect::meets(const Vec2d& from, const Vec2d& to) const {
   // Liang and Barsky, as below.
   double begin = 0, end = 1;
@@ -82,9 +111,7 @@ Vec2d Painter::seen_end(const Vec2d& from, const Vec2d& to) const {
 namespace {
 
 /// Half the size of a note's background.
-Vec2d half_of_note(const std::string& text, double size) {
-  return {text_width(text, size) / 2 + 0.2 * size, 0.6 * size};
-}
+Vec2d half_of_note(const std::string& text, double size) { return {width_of(text, size) / 2 + 0.2 * size, 0.6 * size}; }
 
 /// Whether the outline of a filled drawing runs through a box.
 bool runs_through(const Shape2d& shape, const PixelRect& box) {
@@ -121,7 +148,7 @@ bool Painter::note(const std::vector<Vec2d>& places, const std::string& text,
            std::none_of(leaders.begin(), leaders.end(), [&](const auto& line) { return box.meets(line[0], line[1]); });
   };
   std::optional<Vec2d> best;
-  constexpr double of_ray = 2, of_outline = 1.5;
+  constexpr double of_ray = 2, of_outline = 6;  // the background of a text would bite a piece out of a body
   double least = 0;
   for (const Vec2d& place : places) {
     const PixelRect box{place - half, place + half};
@@ -143,7 +170,7 @@ bool Painter::note(const std::vector<Vec2d>& places, const std::string& text,
   return best.has_value();
 }
 
-void Painter::note_beside(const Vec2d& of, const Vec2d& away, const std::string& text,
+bool Painter::note_beside(const Vec2d& of, const Vec2d& away, const std::string& text,
                           const std::vector<Vec2d>& first) {
   const Vec2d half = half_of_note(text, sizes.text), across(-away.y, away.x);
   std::vector<Vec2d> places = first;
@@ -164,17 +191,42 @@ void Painter::note_beside(const Vec2d& of, const Vec2d& away, const std::string&
   const bool is_there = note(places, text, [&](const Vec2d& at) {
     const std::optional<Vec2d> edge = leader(at);
     if (!edge) return 0.0;
-    const bool runs_over =
-        std::any_of(kept_free.begin(), kept_free.end(), [&](const PixelRect& taken) { return taken.meets(*edge, of); });
+    // What the point itself lies in may be entered from its side.
+    const bool from_there = dot(*edge - of, away) >= -1e-9;
+    const bool runs_over = std::any_of(kept_free.begin(), kept_free.end(), [&](const PixelRect& taken) {
+      const bool is_own = of.x >= taken.min.x && of.x <= taken.max.x && of.y >= taken.min.y && of.y <= taken.max.y;
+      return !(is_own && from_there) && taken.meets(*edge, of);
+    });
     if (runs_over) return std::numeric_limits<double>::infinity();
     return length(*edge - of) > 50 * sizes.unit ? 1.0 : 0.0;
   });
-  if (!is_there) return;
+  if (!is_there) return false;
   if (const std::optional<Vec2d> edge = leader(std::get<TextItem>(list.back().shape).at)) {
     list.insert(list.begin() + static_cast<std::ptrdiff_t>(before),
                 {LineItem{*edge, of, stroke(colours.text.with_alpha(190), 0.7)}});
     leaders.push_back({*edge, of});
   }
+  return true;
+}
+
+double Painter::room_along(const Vec2d& from, const Vec2d& along) const {
+  const PixelRect all = pane();
+  double room = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 2; ++axis) {
+    if (from[axis] <= all.min[axis] || from[axis] >= all.max[axis]) return 0;
+    if (along[axis] == 0) continue;
+    room = std::min(room, ((along[axis] > 0 ? all.max[axis] : all.min[axis]) - from[axis]) / along[axis]);
+  }
+  if (!frame.empty() && distance_to({PolygonItem{frame, colours.plan, std::nullopt}}, from) > 0) return 0;
+  const auto cross = [](const Vec2d& a, const Vec2d& b) { return a.x * b.y - a.y * b.x; };
+  for (std::size_t i = 0; i < frame.size(); ++i) {
+    const Vec2d begin = frame[i] - from, side = frame[(i + 1) % frame.size()] - frame[i];
+    const double slant = cross(along, side);
+    if (slant == 0) continue;
+    const double far = cross(begin, side) / slant, part = cross(begin, along) / slant;
+    if (far >= 0 && part >= 0 && part <= 1) room = std::min(room, far);
+  }
+  return room;
 }
 
 void Painter::note(const Vec2d& at, const std::string& text) {

@@ -19,6 +19,10 @@ struct PixelRect {
   [[nodiscard]] bool meets(const Vec2d& from, const Vec2d& to) const;  ///< a segment
 };
 
+/// The width of a text in the window's font, slightly overestimated. text_width() is up to 50% more, for other fonts,
+/// which would keep names off bodies that they fit on.
+[[nodiscard]] double width_of(const std::string& text, double size);
+
 class Painter {
  public:
   Painter(const State& the_state, const Viewport& the_viewport)
@@ -33,6 +37,7 @@ class Painter {
   std::vector<PixelRect> unnamed;               ///< not used by names, but their leaders may cross it
   std::vector<std::array<Vec2d, 2>> prominent;  ///< rays of the current pixel, and normals
   std::vector<std::array<Vec2d, 2>> leaders;    ///< from notes to what they are of
+  std::vector<Vec2d> frame;                     ///< closed, if the plan has one: drawings stay inside of it
 
   [[nodiscard]] const Scene& scene() const { return state.scene(); }
   [[nodiscard]] Vec2d pixels(const Vec2d& point) const { return to_pixels(state.plan.camera, viewport, point); }
@@ -53,8 +58,12 @@ class Painter {
   /// there.
   bool note(const std::vector<Vec2d>& places, const std::string& text);
   /// The same at one of `first`; else beside a point, as near as possible and farther away with a line to it, which
-  /// runs over nothing that is kept free. `away`: preferably in this direction, of unit length.
-  void note_beside(const Vec2d& of, const Vec2d& away, const std::string& text, const std::vector<Vec2d>& first = {});
+  /// runs over nothing that is kept free. `away`: preferably in this direction, of unit length. Returns whether it is
+  /// there.
+  bool note_beside(const Vec2d& of, const Vec2d& away, const std::string& text, const std::vector<Vec2d>& first = {});
+  /// How far it is from a point, in a direction of unit length, to the edge of the pane or to the frame; 0 from
+  /// outside.
+  [[nodiscard]] double room_along(const Vec2d& from, const Vec2d& along) const;
   /// Where the segment between two points leaves the pane, with a margin; `to` if it does not.
   [[nodiscard]] Vec2d seen_end(const Vec2d& from, const Vec2d& to) const;
   /// The middle of the visible part of a segment, whose ends may be far outside.

@@ -73,6 +73,13 @@ void draw_layer(Painter& painter, Layer layer) {
   });
 }
 
+/// What the rooms draw later, but notes keep off before.
+void keep_free(Painter& painter) {
+  for_each_room(Rooms(), [&]<class Room>() {
+    if constexpr (requires { Room::keep_free_in_plan(painter); }) Room::keep_free_in_plan(painter);
+  });
+}
+
 }  // namespace
 
 DisplayList plan_view(const State& state, const Viewport& viewport) {
@@ -85,6 +92,7 @@ DisplayList plan_view(const State& state, const Viewport& viewport) {
   const auto symbols = static_cast<std::ptrdiff_t>(painter.list.size());
   draw_eye(painter);
   draw_lights(painter);
+  keep_free(painter);
   const auto rays = static_cast<std::ptrdiff_t>(painter.list.size());
   if (!moving) draw_layer(painter, Layer::under_rays);
   if (!moving) draw_rays(painter, rays_shown(state));

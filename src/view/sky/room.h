@@ -17,6 +17,7 @@ class SkyLight;
 struct SkyRoom {
   using Actions = Types<>;
   static constexpr Layer layer = Layer::under_labels;
+  static void keep_free_in_plan(Painter& painter);
   static void draw_in_plan(Painter& painter);
   static void follow(State& state, const Before& before);
 

@@ -52,25 +52,30 @@ struct Ring {
   }
 };
 
-/// Where the current ray met the sky, if it did, as seen in the plan.
-void draw_met(Painter& painter, const Ring& ring, double width) {
-  const Timeline& timeline = *painter.state.walk.timeline;
-  const int current = timeline.current_ray(painter.state.walk.position);
-  if (painter.state.walk.mode == Mode::move || current < 0) return;
-  const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(current)];
-  const bool leaves = ray.formed && ray.endless && ray.object < 0 && ray.found_at <= painter.state.walk.position;
-  const Vec2d flat(ray.direction.x, ray.direction.y);
-  if (!leaves || !(length(flat) > 1e-9 * length(ray.direction))) return;
-  const Vec2d at = ring.at(ring.towards(flat), width / 2);  // whole, though the ring runs along the edge
-  painter.add(CircleItem{at, 0.8 * width, std::nullopt, painter.stroke(painter.colours.ink, 2)});
-  painter.keep_free(at, 0.8 * width);
-}
+/// The ring with the curve inside.
+struct SeenSky {
+  struct Seen {
+    Vec2d along;
+    double pdf;
+  };
+  static constexpr int count = 180;
+  Ring ring;
+  double width, tallest;  ///< pixels, of the ring and of the curve
+  std::shared_ptr<const SkyLight> light;
+  std::vector<Seen> directions;  ///< between from(i) and from(i + 1)
+  double most = 0;               ///< of the pdf
+  bool is_sampled = false;       ///< with the curve
 
-}  // namespace
+  [[nodiscard]] Vec2d from(int i) const { return ring.along(static_cast<double>(i) / count); }
+  [[nodiscard]] Vec2d at_curve(int i) const {
+    const Seen& one = directions[static_cast<std::size_t>((i + count) % count)];
+    return ring.at(one.along, width + one.pdf / most * tallest);
+  }
+};
 
-void SkyRoom::draw_in_plan(Painter& painter) {
-  if (!painter.scene().sky) return;
-  const std::shared_ptr<const SkyLight> light = light_of(painter.state);
+/// None without a sky, or in a pane that is too small.
+std::optional<SeenSky> seen_sky(const Painter& painter) {
+  if (!painter.scene().sky) return std::nullopt;
   const double unit = painter.sizes.unit, margin = 4 * unit, width = 9 * unit;
   // Lower in a small pane, where the scene needs the room.
   const double tallest =
@@ -78,67 +83,91 @@ void SkyRoom::draw_in_plan(Painter& painter) {
   const Ring ring{{painter.viewport.width / 2, painter.viewport.height / 2},
                   painter.viewport.width / 2 - margin,
                   painter.viewport.height / 2 - margin};
-  if (!(ring.a > 4 * tallest && ring.b > 4 * tallest)) return;
-  constexpr int count = 180;
-  struct Seen {
-    Vec2d along;
-    double pdf;
-  };
-  std::vector<Seen> seen;
-  double most = 0;
-  for (int i = 0; i < count; ++i) {
-    const Vec2d along = ring.along((i + 0.5) / count);
-    const double pdf = light->pdf(Vec3d(along, 0));
-    most = std::max(most, pdf);
-    seen.push_back({along, pdf});
-    const Vec2d from = ring.along(static_cast<double>(i) / count), to = ring.along((i + 1.0) / count);
-    painter.add(PolygonItem{{ring.at(from, 0), ring.at(to, 0), ring.at(to, width), ring.at(from, width)},
-                            display_colour(light->radiance(Vec3d(along, 0)), painter.scene().encoding),
-                            std::nullopt});
+  if (!(ring.a > 4 * tallest && ring.b > 4 * tallest)) return std::nullopt;
+  SeenSky sky{ring, width, tallest, light_of(painter.state), {}};
+  for (int i = 0; i < SeenSky::count; ++i) {
+    const Vec2d along = ring.along((i + 0.5) / SeenSky::count);
+    sky.directions.push_back({along, sky.light->pdf(Vec3d(along, 0))});
+    sky.most = std::max(sky.most, sky.directions.back().pdf);
   }
-  for (const double inwards : {0.0, width}) {
-    PolylineItem border{{}, painter.stroke(painter.colours.grid)};
-    for (int i = 0; i <= count; ++i)
-      border.points.push_back(ring.at(ring.along(static_cast<double>(i) / count), inwards));
-    painter.add(border);
-  }
-  const bool sampled = integrator_of(*walked_scene(painter.state)) == Integrator::path;
-  if (sampled && most > 0) {
-    PolylineItem chance{{}, painter.stroke(painter.colours.dim_text, 1.3)};
-    for (const Seen& one : seen) chance.points.push_back(ring.at(one.along, width + one.pdf / most * tallest));
-    chance.points.push_back(chance.points.front());
-    painter.add(chance);
-  }
-  draw_met(painter, ring, width);
-  // Names keep off the ring and the curve.
+  sky.is_sampled = integrator_of(*walked_scene(painter.state)) == Integrator::path && sky.most > 0;
+  return sky;
+}
+
+/// Where the current ray met the sky, if it did, as seen in the plan; whole, though the ring runs along the edge.
+std::optional<Vec2d> place_met(const Painter& painter, const SeenSky& sky) {
+  const Timeline& timeline = *painter.state.walk.timeline;
+  const int current = timeline.current_ray(painter.state.walk.position);
+  if (painter.state.walk.mode == Mode::move || current < 0) return std::nullopt;
+  const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(current)];
+  const bool leaves = ray.formed && ray.endless && ray.object < 0 && ray.found_at <= painter.state.walk.position;
+  const Vec2d flat(ray.direction.x, ray.direction.y);
+  if (!leaves || !(length(flat) > 1e-9 * length(ray.direction))) return std::nullopt;
+  return sky.ring.at(sky.ring.towards(flat), sky.width / 2);
+}
+
+}  // namespace
+
+void SkyRoom::keep_free_in_plan(Painter& painter) {
+  const std::optional<SeenSky> sky = seen_sky(painter);
+  if (!sky) return;
+  const int count = SeenSky::count;
   constexpr int together = 3;
   for (int i = 0; i < count; i += together) {
     std::vector<Vec2d> around;
     for (int k = i; k <= i + together; ++k) {
-      const Vec2d edge = ring.along(static_cast<double>(k) / count);
-      around.push_back(ring.at(edge, 0));
-      around.push_back(ring.at(edge, width));
+      around.push_back(sky->ring.at(sky->from(k), 0));
+      around.push_back(sky->ring.at(sky->from(k), sky->width));
     }
-    if (sampled && most > 0)
-      for (int k = i - 1; k <= i + together; ++k) {
-        const Seen& one = seen[static_cast<std::size_t>((k + count) % count)];
-        around.push_back(ring.at(one.along, width + one.pdf / most * tallest));
-      }
+    if (sky->is_sampled)
+      for (int k = i - 1; k <= i + together; ++k) around.push_back(sky->at_curve(k));
     PixelRect box{around.front(), around.front()};
     for (const Vec2d& at : around)
       box = {{std::min(box.min.x, at.x), std::min(box.min.y, at.y)},
              {std::max(box.max.x, at.x), std::max(box.max.y, at.y)}};
     painter.kept_free.push_back(box);
   }
+  for (int i = 0; i < count; ++i)
+    painter.frame.push_back(sky->is_sampled ? sky->at_curve(i) : sky->ring.at(sky->from(i), sky->width));
+  if (const auto at = place_met(painter, *sky)) painter.keep_free(*at, 0.8 * sky->width);
+}
+
+void SkyRoom::draw_in_plan(Painter& painter) {
+  const std::optional<SeenSky> sky = seen_sky(painter);
+  if (!sky) return;
+  const double unit = painter.sizes.unit;
+  const Ring& ring = sky->ring;
+  const int count = SeenSky::count;
+  for (int i = 0; i < count; ++i) {
+    const Vec2d from = sky->from(i), to = sky->from(i + 1);
+    const Vec3d along(sky->directions[static_cast<std::size_t>(i)].along, 0);
+    painter.add(PolygonItem{{ring.at(from, 0), ring.at(to, 0), ring.at(to, sky->width), ring.at(from, sky->width)},
+                            display_colour(sky->light->radiance(along), painter.scene().encoding),
+                            std::nullopt});
+  }
+  for (const double inwards : {0.0, sky->width}) {
+    PolylineItem border{{}, painter.stroke(painter.colours.grid)};
+    for (int i = 0; i <= count; ++i) border.points.push_back(ring.at(sky->from(i), inwards));
+    painter.add(border);
+  }
+  if (sky->is_sampled) {
+    PolylineItem chance{{}, painter.stroke(painter.colours.dim_text, 1.3)};
+    for (int i = 0; i <= count; ++i) chance.points.push_back(sky->at_curve(i));
+    painter.add(chance);
+  }
+  if (const auto at = place_met(painter, *sky))
+    painter.add(CircleItem{*at, 0.8 * sky->width, std::nullopt, painter.stroke(painter.colours.ink, 2)});
   // Inside of the ring and of the curve: in the middle of an edge, else nearer to a corner.
   std::vector<Vec2d> places;
-  const double inwards = ring.b - width - tallest - 12 * unit;
+  const double inwards = ring.b - sky->width - sky->tallest - 12 * unit;
   for (const double deeper : {0.0, 8.0, 16.0, 32.0, 48.0, 64.0})
     for (const double part : {0.0, 0.2, 0.35})
       for (const double side : {-1.0, 1.0})
         for (const double across : {-part, part})
           places.push_back(ring.middle + Vec2d(across * ring.a, side * (inwards - (60 * part + deeper) * unit)));
-  painter.note(places, std::string(text(sampled ? "plan.sky_sampled" : "plan.sky", painter.state.appearance.language)));
+  const bool of_paths = integrator_of(*walked_scene(painter.state)) == Integrator::path;
+  painter.note(places,
+               std::string(text(of_paths ? "plan.sky_sampled" : "plan.sky", painter.state.appearance.language)));
 }
 
 }  // namespace raywalk
