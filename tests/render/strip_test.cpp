@@ -37,6 +37,8 @@ Film<T> image_of_size(const Scene& scene, ImageSize size, int samples = 1) {
 TEMPLATE_TEST_CASE("the strip equals the middle row of every planar scene", "", float, double) {
   for (const NamedScene& named : planar_scenes()) {
     INFO(named.name);
+    // A cone of the strip is cut by an endless world's outlines, one of the picture by what is in space.
+    if (traits_of(named.scene.render.integrator).has_width) continue;
     const int cells = named.scene.camera.screen.cells;
     for (const int multiple : {1, 3, 5, 7, 21, 33, 101}) {
       CAPTURE(multiple);
