@@ -174,16 +174,33 @@ TEST_CASE("what a text wants filled in is what the sources give it") {
     for (const std::string& name : placeholders(*english().find(id))) names.insert(name);
   }
   // Their arguments stand elsewhere than in the call that names the id.
-  const std::set<std::string> apart{
-      "heat.scale_rays",          "heat.scale_tests",           "heat.scale_time",
-      "heat.scale_noise",         "property.corners",           "walk.shade_called",
-      "walk.shade_called_unlit",  "walk.direction_diffuse",     "walk.direction_highlight",
-      "walk.direction_mirror",    "walk.direction_transparent", "structure.test_missed",
-      "structure.test_nearest",   "structure.test_farther",     "structure.test_blocks",
-      "structure.test_filters",   "question.unsaved_new",       "question.unsaved_open",
-      "question.unsaved_quit",    "question.unsaved_link",      "walk.photon_diffused",
-      "walk.photon_in_highlight", "walk.photon_mirrored",       "walk.photon_passed",
-      "walk.direction_scattered"};
+  const std::set<std::string> apart{"heat.scale_rays",
+                                    "heat.scale_tests",
+                                    "heat.scale_time",
+                                    "heat.scale_noise",
+                                    "property.corners",
+                                    "walk.shade_called",
+                                    "walk.shade_called_unlit",
+                                    "walk.direction_diffuse",
+                                    "walk.direction_highlight",
+                                    "walk.direction_mirror",
+                                    "walk.direction_transparent",
+                                    "structure.test_missed",
+                                    "structure.test_nearest",
+                                    "structure.test_farther",
+                                    "structure.test_blocks",
+                                    "structure.test_filters",
+                                    "question.unsaved_new",
+                                    "question.unsaved_open",
+                                    "question.unsaved_quit",
+                                    "question.unsaved_link",
+                                    "walk.photon_diffused",
+                                    "walk.photon_in_highlight",
+                                    "walk.photon_mirrored",
+                                    "walk.photon_passed",
+                                    "walk.direction_scattered",
+                                    "walk.direction_small_mirror",
+                                    "walk.photon_small_mirror"};
   std::map<std::string, bool> filled;
   for (const Use& use : uses()) {
     if (use.arguments.empty()) continue;

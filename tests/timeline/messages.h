@@ -40,6 +40,10 @@ inline constexpr std::array<std::string_view, 27> path_messages{"walk.path_calle
                                                                 "walk.path_absorbed",
                                                                 "walk.next_formed"};
 
+/// Of rough mirrors alone.
+inline constexpr std::array<std::string_view, 3> rough_messages{"walk.direction_small_mirror", "walk.next_counts",
+                                                                "walk.photon_small_mirror"};
+
 /// Of PHOTON MAPPING alone.
 inline constexpr std::array<std::string_view, 36> photon_messages{
     "walk.photon_begun",         "walk.photon_emitted",     "walk.photon_from_object",  "walk.photon_from_sky",
@@ -129,6 +133,7 @@ inline std::set<std::string> strip_messages() {
   for (const std::string_view id : Catalogue::embedded().ids())
     if (id.starts_with("walk.") && std::count(id.begin(), id.end(), '.') == 1 &&
         std::find(path_messages.begin(), path_messages.end(), id) == path_messages.end() &&
+        std::find(rough_messages.begin(), rough_messages.end(), id) == rough_messages.end() &&
         std::find(photon_messages.begin(), photon_messages.end(), id) == photon_messages.end() &&
         std::find(radiosity_messages.begin(), radiosity_messages.end(), id) == radiosity_messages.end() &&
         std::find(beam_messages.begin(), beam_messages.end(), id) == beam_messages.end() &&

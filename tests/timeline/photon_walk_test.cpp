@@ -144,6 +144,13 @@ TEST_CASE("every line and every message of photon mapping is reached") {
       }
     }
   CHECK(lines.size() == photon_line_count);
+  Scene rough = photon_room();
+  for (Object& object : rough.objects)
+    if (object.material.reflects()) object.material.roughness = 0.2;
+  const Timeline timeline = record_strip(rough);
+  for (int position = 1; position <= timeline.steps(); ++position)
+    messages.insert(describe(rough, timeline, position).id);
+  CHECK(messages.count("walk.photon_small_mirror") == 1);
   for (const std::string_view id : test::photon_messages) {
     INFO(id);
     CHECK(messages.count(id) == 1);

@@ -115,7 +115,7 @@ void LobeRoom::draw_in_plan(Painter& painter) {
   // Without random numbers a mirror sends on one ray only: the lobe is that of the highlights.
   const bool is_sampled = draws_random(integrator_of(*walked, walked->render.samples));
   for (const std::string_view id : {is_sampled ? "plan.lobe" : "plan.lobe_highlight", "plan.lobe_short"})
-    if (painter.note_beside(place(most), out, std::string(text(id, state.appearance.language)))) break;
+    if (painter.note_beside(place(most), out, std::string(text(id, state.appearance.language)), {}, box)) break;
 }
 
 }  // namespace raywalk

@@ -129,11 +129,12 @@ std::optional<std::array<Vec2d, 2>> line_to(const std::vector<DrawnBody>& bodies
   const Vec2d from(std::clamp(thing.at.x, label.min.x, label.max.x), std::clamp(thing.at.y, label.min.y, label.max.y));
   const Vec2d way = thing.at - from;
   if (thing.strip) {
-    const auto is_beside = [&](const Vec2d& at) { return distance_to({*thing.strip}, at) > 0; };
     constexpr int steps = 64;
+    const auto at = [&](int step) { return from + static_cast<double>(step) / steps * way; };
+    // Up to just before it.
     int i = 0;
-    while (i < steps && is_beside(from + static_cast<double>(i) / steps * way)) ++i;
-    return std::array{from, from + static_cast<double>(i) / steps * way};
+    while (i < steps && distance_to({*thing.strip}, at(i + 1)) > unit) ++i;
+    return std::array{from, at(i)};
   }
   const Vec2d reach = thing.half + 6 * unit;
   const double inside =

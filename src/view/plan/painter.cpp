@@ -170,8 +170,8 @@ bool Painter::note(const std::vector<Vec2d>& places, const std::string& text,
   return best.has_value();
 }
 
-bool Painter::note_beside(const Vec2d& of, const Vec2d& away, const std::string& text,
-                          const std::vector<Vec2d>& first) {
+bool Painter::note_beside(const Vec2d& of, const Vec2d& away, const std::string& text, const std::vector<Vec2d>& first,
+                          const std::optional<PixelRect>& around) {
   const Vec2d half = half_of_note(text, sizes.text), across(-away.y, away.x);
   std::vector<Vec2d> places = first;
   for (const double gap : {6.0, 22.0, 44.0, 70.0, 110.0, 150.0})
@@ -191,11 +191,9 @@ bool Painter::note_beside(const Vec2d& of, const Vec2d& away, const std::string&
   const bool is_there = note(places, text, [&](const Vec2d& at) {
     const std::optional<Vec2d> edge = leader(at);
     if (!edge) return 0.0;
-    // What the point itself lies in may be entered from its side.
-    const bool from_there = dot(*edge - of, away) >= -1e-9;
+    const bool from_its_side = dot(*edge - of, away) >= -1e-9;
     const bool runs_over = std::any_of(kept_free.begin(), kept_free.end(), [&](const PixelRect& taken) {
-      const bool is_own = of.x >= taken.min.x && of.x <= taken.max.x && of.y >= taken.min.y && of.y <= taken.max.y;
-      return !(is_own && from_there) && taken.meets(*edge, of);
+      return !(from_its_side && around == taken) && taken.meets(*edge, of);
     });
     if (runs_over) return std::numeric_limits<double>::infinity();
     return length(*edge - of) > 50 * sizes.unit ? 1.0 : 0.0;

@@ -17,6 +17,7 @@ struct PixelRect {
   Vec2d min, max;
   [[nodiscard]] double overlap(const PixelRect& other) const;          ///< area in common
   [[nodiscard]] bool meets(const Vec2d& from, const Vec2d& to) const;  ///< a segment
+  friend bool operator==(const PixelRect&, const PixelRect&) = default;
 };
 
 /// The width of a text in the window's font, slightly overestimated. text_width() is up to 50% more, for other fonts,
@@ -60,7 +61,9 @@ class Painter {
   /// The same at one of `first`; else beside a point, as near as possible and farther away with a line to it, which
   /// runs over nothing that is kept free. `away`: preferably in this direction, of unit length. Returns whether it is
   /// there.
-  bool note_beside(const Vec2d& of, const Vec2d& away, const std::string& text, const std::vector<Vec2d>& first = {});
+  /// `around`: what is kept free around the point itself, which the line may enter from its side.
+  bool note_beside(const Vec2d& of, const Vec2d& away, const std::string& text, const std::vector<Vec2d>& first = {},
+                   const std::optional<PixelRect>& around = {});
   /// How far it is from a point, in a direction of unit length, to the edge of the pane or to the frame; 0 from
   /// outside.
   [[nodiscard]] double room_along(const Vec2d& from, const Vec2d& along) const;
