@@ -270,6 +270,18 @@ class Places {
     const auto line = line_to(bodies_, thing_, label, unit_);
     if (!line) return false;
     const auto crossed = [&](const PixelRect& taken) { return taken.meets((*line)[0], (*line)[1]); };
+    // A symbol that stands in SCREEN has its middle in what is kept free around it too.
+    const auto is_over = [&](const DisplayItem& item) {
+      constexpr int steps = 32;
+      for (int i = 0; i <= steps; ++i)
+        if (distance_to(item, (*line)[0] + static_cast<double>(i) / steps * ((*line)[1] - (*line)[0])) <= unit_)
+          return true;
+      return false;
+    };
+    if (thing_.strip && std::any_of(painter_.list.begin(), painter_.list.end(), [&](const DisplayItem& item) {
+          return (item.target.kind == TargetKind::light || item.target.kind == TargetKind::eye) && is_over(item);
+        }))
+      return true;
     // A symbol lies in what is kept free around it.
     const auto is_own = [&](const PixelRect& taken) {
       return !thing_.body && taken.min.x <= thing_.at.x && thing_.at.x <= taken.max.x && taken.min.y <= thing_.at.y &&
