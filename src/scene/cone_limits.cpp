@@ -36,18 +36,22 @@ std::string why_not_covered(const Object& object) {
       static_cast<const ObjectShape::Kinds&>(object.shape));
 }
 
-}  // namespace
-
-std::string why_no_cones(const Scene& scene) {
+const Object* first_against(const Scene& scene) {
   for (const Object& object : scene.objects)
-    if (const std::string why = why_not_covered(object); !why.empty()) return object.name + " " + why;
-  return {};
+    if (!why_not_covered(object).empty()) return &object;
+  return nullptr;
 }
 
+}  // namespace
+
 std::string object_against_cones(const Scene& scene) {
-  for (const Object& object : scene.objects)
-    if (!why_not_covered(object).empty()) return object.name;
-  return {};
+  const Object* object = first_against(scene);
+  return object == nullptr ? std::string() : object->name;
+}
+
+std::string why_no_cones(const Scene& scene) {
+  const Object* object = first_against(scene);
+  return object == nullptr ? std::string() : object->name + " " + why_not_covered(*object);
 }
 
 }  // namespace raywalk

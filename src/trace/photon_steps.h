@@ -118,21 +118,21 @@ void PhotonTracer<Policy>::store_photon(const PhotonRay& photon, const Vertex& a
 template <class Policy>
 auto PhotonTracer<Policy>::adjoint(const Vertex& at, Lobe lobe, const Vec3<T>& direction) const -> T {
   const Vec3<T>&geometric = at.bsdf.geometric_normal, &shading = at.bsdf.shading_normal;
-  const auto in = [&](const Vec3<T>& normal) { return std::abs(dot(at.bsdf.incident, normal)); };
-  const auto out = [&](const Vec3<T>& normal) { return std::abs(dot(direction, normal)); };
+  const auto cos_in = [&](const Vec3<T>& normal) { return std::abs(dot(at.bsdf.incident, normal)); };
+  const auto cos_out = [&](const Vec3<T>& normal) { return std::abs(dot(direction, normal)); };
   // Of a scattering function that is the same both ways, about the shading normal.
   const auto both_ways = [&] {
     if (shading == geometric) return T(1);
-    return in(shading)*out(geometric) / (in(geometric)*out(shading));
+    return cos_in(shading) * cos_out(geometric) / (cos_in(geometric) * cos_out(shading));
   };
   switch (lobe) {
     case Lobe::diffuse:
       return both_ways();
     case Lobe::highlight:
-      return out(geometric) / in(geometric);
+      return cos_out(geometric) / cos_in(geometric);
     case Lobe::mirror:
       if (at.bsdf.microsurface() != nullptr) return both_ways();
-      return at.bsdf.mirror_width > 0 ? out(geometric) / in(geometric) : T(1);
+      return at.bsdf.mirror_width > 0 ? cos_out(geometric) / cos_in(geometric) : T(1);
     case Lobe::transparent: {
       const T ratio = at.refraction.n1 / at.refraction.n2;
       return settings_.flat ? ratio : ratio * ratio;
