@@ -1,44 +1,29 @@
 #include "timeline/cone_message.h"
 
+#include "timeline/part_words.h"
+
 #include <string>
 
 namespace raywalk {
 
 namespace {
 
-class ConeDescriber {
+class ConeDescriber : PartWords {
  public:
-  ConeDescriber(const Scene& scene, const Timeline& timeline, int position)
-      : scene_(scene), timeline_(timeline), position_(position) {}
+  ConeDescriber(const Scene& scene, const Timeline& timeline, int position) : PartWords(scene, timeline, position) {}
 
   [[nodiscard]] std::optional<Message> message() const {
-    const Event& event = *timeline_.just_run(position_);
-    return std::visit([&](const auto& detail) { return describe(event, detail); }, event.detail);
+    return std::visit([&](const auto& detail) { return describe(event(), detail); }, event().detail);
   }
 
  private:
-  using Told = std::optional<Message>;
+  using PartWords::describe;
 
-  [[nodiscard]] const RayRecord& ray(int index) const { return timeline_.rays()[static_cast<std::size_t>(index)]; }
-  /// The part that the line is about.
-  [[nodiscard]] const RayRecord& part() const { return ray(timeline_.part_of(timeline_.current_ray(position_))); }
-  [[nodiscard]] std::string object(int index) const {
-    return index < 0 ? std::string() : scene_.objects[static_cast<std::size_t>(index)].name;
-  }
-  [[nodiscard]] std::string seen() const { return object(part().object); }
-  [[nodiscard]] std::string light() const {
-    return scene_.lights[static_cast<std::size_t>(ray(timeline_.current_ray(position_)).light)].name;
-  }
-
-  /// As of other pseudocodes.
-  template <class Detail>
-  [[nodiscard]] Told describe(const Event& /*event*/, const Detail& /*detail*/) const {
-    return std::nullopt;
-  }
+  [[nodiscard]] std::string light() const { return scene_.lights[static_cast<std::size_t>(current().light)].name; }
 
   [[nodiscard]] Told describe(const Event& event, const BeamFormed& formed) const {
     if (formed.parent >= 0) {
-      const std::string from = object(ray(ray(timeline_.current_ray(position_)).parent).object);
+      const std::string from = object(part_above().object);
       if (event.line == Line::form_reflected_cone && formed.spread < 0)
         return Message{"walk.reflected_cone_converges",
                        {{"object", from}, {"radius", formed.radius}, {"spread", -formed.spread}}};
@@ -51,9 +36,8 @@ class ConeDescriber {
       return Message{"walk.refracted_cone_spreads",
                      {{"object", from}, {"radius", formed.radius}, {"spread", formed.spread}}};
     }
-    const PixelRecord& pixel = timeline_.pixels()[static_cast<std::size_t>(timeline_.current_pixel(position_))];
-    if (timeline_.of_strip()) return Message{"walk.cone_formed", {{"cell", pixel.column}}};
-    return Message{"walk.image_cone_formed", {{"column", pixel.column}, {"row", pixel.row}}};
+    if (timeline_.of_strip()) return Message{"walk.cone_formed", {{"cell", pixel().column}}};
+    return Message{"walk.image_cone_formed", {{"column", pixel().column}, {"row", pixel().row}}};
   }
 
   [[nodiscard]] Told describe(const Event& /*event*/, const RayFormed& /*shadow*/) const {
@@ -62,10 +46,7 @@ class ConeDescriber {
 
   [[nodiscard]] Told describe(const Event& /*event*/, const RayNotFormed& stub) const {
     if (stub.kind != RayKind::beam) return std::nullopt;
-    if (stub.why == Ending::depth) {
-      const int frame = timeline_.current_frame(position_);
-      return Message{"walk.cone_depth", {{"depth", timeline_.frames()[static_cast<std::size_t>(frame)].depth}}};
-    }
+    if (stub.why == Ending::depth) return Message{"walk.cone_depth", {{"depth", depth()}}};
     return Message{
         "walk.cone_threshold",
         {{"share", Fraction{max_component(stub.throughput)}}, {"threshold", Fraction{scene_.limits.threshold}}}};
@@ -99,11 +80,6 @@ class ConeDescriber {
                    {{"number", number}, {"count", begun.count}, {"object", seen()}, {"share", begun.coverage}}};
   }
 
-  [[nodiscard]] Told describe(const Event& /*event*/, const PartShaded& shaded) const {
-    if (part().object < 0) return Message{"walk.part_background", {{"colour", shaded.total}}};
-    return Message{"walk.part_shaded", {{"object", seen()}, {"colour", shaded.total}}};
-  }
-
   [[nodiscard]] Told describe(const Event& event, const Decided& decided) const {
     const bool mirror = event.line == Line::cone_if_reflective;
     if (part().object < 0)
@@ -117,10 +93,6 @@ class ConeDescriber {
     return Message{added.last ? "walk.last_share_added" : "walk.share_added",
                    {{"colour", added.shade}, {"share", added.share}, {"sum", added.mean}}};
   }
-
-  const Scene& scene_;
-  const Timeline& timeline_;
-  int position_;
 };
 
 }  // namespace

@@ -22,18 +22,6 @@ double far_from(const Vec2d& eye, const std::vector<Outline>& outlines) {
   return 8 * far;
 }
 
-std::vector<int> primitives_of(const World<double>& world, const std::vector<Outline>& outlines) {
-  std::vector<int> first;  // by object
-  for (int i = world.accelerator.primitives().size() - 1; i >= 0; --i) {
-    const auto object = static_cast<std::size_t>(world.object(i));
-    if (object >= first.size()) first.resize(object + 1);
-    first[object] = i;
-  }
-  std::vector<int> primitives;
-  for (const Outline& outline : outlines) primitives.push_back(first[static_cast<std::size_t>(outline.object)]);
-  return primitives;
-}
-
 }  // namespace detail
 
 namespace {

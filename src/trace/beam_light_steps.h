@@ -3,6 +3,7 @@
 // alone.
 
 #include "trace/beams.h"
+#include "trace/part_steps.h"
 #include "trace/shadow_transmittance.h"
 #include "trace/spawn_ray.h"
 
@@ -41,7 +42,8 @@ void BeamTracer<Watcher>::divide_by_shadows(std::vector<BeamPart>& pieces, const
 template <class Watcher>
 bool BeamTracer<Watcher>::shows_shadows(int outline) const {
   if (outline < 0 || !outlines_[static_cast<std::size_t>(outline)].is_straight()) return false;
-  const auto& surface = world_.surface(primitives_[static_cast<std::size_t>(outline)]);
+  const int object = outlines_[static_cast<std::size_t>(outline)].object;
+  const auto& surface = world_.surface(primitives_[static_cast<std::size_t>(object)]);
   return world_.occludes && world_.effects.used(Effect::shadows) &&
          !(is_black(surface.diffuse) && is_black(surface.specular));
 }
@@ -127,17 +129,9 @@ template <class Watcher>
 void BeamTracer<Watcher>::add_light(DirectLighting& direct, const Part& part, const Light& light, const Shadow& shadow,
                                     const Rgbd& visible) {
   if (is_black(visible)) return add_unlit(direct, light);
-  const SurfaceVertex<double>& at = *part.at;
-  const double distance = light.distance(shadow.ray.direction);
-  const Vec3d l = shadow.ray.direction / distance, h = l - part.ray.direction;
-  const Rgbd radiance = visible * light.strength * (light.falloff(l) / light.attenuation(distance));
-  LightTerm term{light.index};
-  term.diffuse = radiance * at.bsdf.diffuse * std::max(dot(at.bsdf.shading_normal, l), 0.0);
-  if (!is_black(at.specular))
-    term.specular =
-        radiance * at.specular * power_of_cosine(dot(at.bsdf.shading_normal, h), dot(h, h), at.surface->shininess);
-  direct.sum += term.diffuse + term.specular;
-  if constexpr (Observer::watches) direct.terms.push_back(term);
+  const auto brought = detail::light_on(*part.at, part.ray, light, shadow.ray.direction, visible);
+  direct.sum += brought.diffuse + brought.specular;
+  if constexpr (Observer::watches) direct.terms.push_back({light.index, brought.diffuse, brought.specular});
 }
 
 }  // namespace raywalk

@@ -2,6 +2,7 @@
 // What the statements of trace/beams.h do, but for lights (trace/beam_light_steps.h). Included by it alone.
 
 #include "trace/beams.h"
+#include "trace/part_steps.h"
 #include "trace/representable.h"
 #include "trace/shadow_transmittance.h"
 #include "trace/spawn_ray.h"
@@ -16,8 +17,6 @@ namespace detail {
 [[nodiscard]] inline Vec3d in_space(const Vec2d& at) { return {at.x, at.y, 0}; }
 /// Farther from the eye than everything that has an end.
 [[nodiscard]] double far_from(const Vec2d& eye, const std::vector<Outline>& outlines);
-/// The first primitive of each outline's object.
-[[nodiscard]] std::vector<int> primitives_of(const World<double>& world, const std::vector<Outline>& outlines);
 
 }  // namespace detail
 
@@ -30,7 +29,7 @@ BeamTracer<Watcher>::BeamTracer(const World<double>& world, const std::vector<Ou
       observer_(observer),
       stop_(stop),
       plan_(std::make_shared<const UnfoldedPlan>(outlines, plan(camera.eye()))),
-      primitives_(detail::primitives_of(world, outlines)),
+      primitives_(detail::first_primitives(world)),
       far_(detail::far_from(plan(camera.eye()), outlines)),
       nested_(world),
       tracer_(world, camera, no_observer_, stop) {}
@@ -94,16 +93,11 @@ void BeamTracer<Watcher>::meet(Part& part, const Beam& beam) {
   const auto index = static_cast<std::size_t>(part.outline);
   part.object = outlines_[index].object;
   const Vec3d end = detail::in_space(beam.plan->end(beam.fan, part, part.middle()));
-  const Hit<double> hit{length(end - part.ray.origin), primitives_[index], outlines_[index].part};
-  struct Followed {
-    Ray<double> ray;
-    int number, length;
-    Rgbd throughput;
-    const Medium* medium;
-  };
-  const Followed followed{part.ray, part.number, 1, Rgbd(1.0), beam.medium};
+  const Hit<double> hit{length(end - part.ray.origin), primitives_[static_cast<std::size_t>(part.object)],
+                        outlines_[index].part};
+  const detail::MiddleOfPart<double> middle{part.ray, part.number, beam.medium};
   NoDifferential<double> none;
-  part.at = prepare_vertex<AllEffects>(world_, nested_, followed, hit, statistics_, none);
+  part.at = prepare_vertex<AllEffects>(world_, nested_, middle, hit, statistics_, none);
   part.ambient = part.at->surface->ambient;
   texture(part.ambient, *part.at->surface, world_.accelerator.primitives(), hit.primitive,
           SurfacePoint<double>{part.at->position, part.at->outward_normal}, hit.part, part.ray.time);
@@ -145,7 +139,7 @@ void BeamTracer<Watcher>::begin(int depth, const std::vector<Part>& parts, const
 
 template <class Watcher>
 Rgbd BeamTracer<Watcher>::shade_middle(int depth, const Part& part, const DirectLighting& direct) {
-  PartShaded shaded{part.number, Rgbd(0.0), Rgbd(0.0), direct.terms, background_along(part.ray.direction)};
+  PartShaded shaded{part.number, Rgbd(0.0), Rgbd(0.0), direct.terms, world_.background_along(part.ray.direction)};
   if (part.at) {
     shaded.ambient = part.ambient * world_.ambient;
     shaded.emission = part.at->surface->emission;
@@ -169,17 +163,10 @@ bool BeamTracer<Watcher>::decide_flat_mirror(int depth, const Part& part) {
 }
 
 template <class Watcher>
-std::optional<Ending> BeamTracer<Watcher>::why_not_followed(int depth, const Rgbd& throughput) {
-  if (depth + 1 > world_.depth) return Ending::depth;
-  if (max_component(throughput) < world_.threshold) return Ending::threshold;
-  return std::nullopt;
-}
-
-template <class Watcher>
 auto BeamTracer<Watcher>::form_mirrored_beam(int depth, const Part& part, const Beam& beam) -> std::optional<Beam> {
   const SurfaceVertex<double>& at = *part.at;
   const Rgbd throughput = beam.throughput * at.throughput * at.bsdf.mirror * (part.width() / (beam.end - beam.begin));
-  if (const auto why = why_not_followed(depth, throughput)) {
+  if (const auto why = detail::why_not_followed(world_, depth, throughput)) {
     ++statistics_.ends(*why);
     note(Line::form_mirrored_beam, depth,
          [&] { return RayNotFormed{part.number, RayKind::beam, *why, at.position, at.bsdf.mirror_axis, throughput}; });
@@ -232,7 +219,7 @@ auto BeamTracer<Watcher>::form_middle_ray(int depth, const Part& part, const Bea
   const Vec3d& direction = refracts ? at.bsdf.transparent_axis : at.bsdf.mirror_axis;
   const Rgbd throughput =
       beam.throughput * at.throughput * weight_of(part, kind) * (part.width() / (beam.end - beam.begin));
-  if (const auto why = why_not_followed(depth, throughput)) {
+  if (const auto why = detail::why_not_followed(world_, depth, throughput)) {
     ++statistics_.ends(*why);
     note(Line::form_middle_ray, depth,
          [&] { return RayNotFormed{part.number, kind, *why, at.position, direction, throughput}; });
@@ -280,11 +267,6 @@ void BeamTracer<Watcher>::put_in_pixel(const Pixel& pixel, const Rgbd& final, Pu
   if (!is_representable(final)) ++statistics_.not_finite;
   put(pixel, final);
   note(Line::beam_put_final_shade, 0, [&] { return PixelPut{pixel.column, pixel.row, pixel.sample, final}; });
-}
-
-template <class Watcher>
-Rgbd BeamTracer<Watcher>::background_along(const Vec3d& direction) const {
-  return world_.sky ? Rgbd(world_.sky->radiance(direction)) : world_.background;
 }
 
 }  // namespace raywalk

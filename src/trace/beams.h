@@ -164,14 +164,12 @@ class BeamTracer {
   bool decide_curved_or_glass(int depth, const Part& part);
   [[nodiscard]] bool sends(const Part& part, RayKind kind) const;
   [[nodiscard]] static const Rgbd& weight_of(const Part& part, RayKind kind);
-  [[nodiscard]] std::optional<Ending> why_not_followed(int depth, const Rgbd& throughput);
   std::optional<MiddleRay> form_middle_ray(int depth, const Part& part, const Beam& beam, RayKind kind);
   Rgbd follow_middle_ray(int depth, const MiddleRay& ray);
   void add_part(Rgbd& mean, int depth, const Beam& beam, const Part& part, const Rgbd& local, const Rgbd& reflected,
                 const Rgbd& refracted);
   template <class Put>
   void put_in_pixel(const Pixel& pixel, const Rgbd& final, Put& put);
-  [[nodiscard]] Rgbd background_along(const Vec3d& direction) const;
 
   template <class Make>
   void note(Line line, int depth, Make&& make) {
@@ -185,7 +183,7 @@ class BeamTracer {
   Stop stop_;
   Statistics statistics_;
   std::shared_ptr<const UnfoldedPlan> plan_;  ///< as EYE sees it
-  std::vector<int> primitives_;               ///< of each outline
+  std::vector<int> primitives_;               ///< the first of each object
   double far_;                                ///< outside of everything that is drawn
   int rays_formed_ = 0;                       ///< numbers the rays of a recording
   std::vector<int> filters_met_;

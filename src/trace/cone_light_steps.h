@@ -2,6 +2,7 @@
 // What the statements of trace/cones.h about lights do. Included by it alone.
 
 #include "trace/cones.h"
+#include "trace/part_steps.h"
 #include "trace/shadow_transmittance.h"
 #include "trace/spawn_ray.h"
 
@@ -134,17 +135,9 @@ template <class T, class Watcher>
 void ConeTracer<T, Watcher>::add_light(DirectLighting& direct, const Part& part, const Light& light,
                                        const Shadow& shadow, const Rgb<T>& uncovered) {
   if (is_black(uncovered)) return add_unlit(direct, light);
-  const SurfaceVertex<T>& at = *part.at;
-  const T distance = light.distance(shadow.to_light);
-  const Vec3<T> l = shadow.to_light / distance, h = l - part.ray.direction;
-  const Rgb<T> radiance = uncovered * light.strength * (light.falloff(l) / light.attenuation(distance));
-  const Rgb<T> diffuse = radiance * at.bsdf.diffuse * std::max(dot(at.bsdf.shading_normal, l), T(0));
-  Rgb<T> specular{0};
-  if (!is_black(at.specular))
-    specular =
-        radiance * at.specular * power_of_cosine(dot(at.bsdf.shading_normal, h), dot(h, h), at.surface->shininess);
-  direct.sum += diffuse + specular;
-  if constexpr (Observer::watches) direct.terms.push_back({light.index, Rgbd(diffuse), Rgbd(specular)});
+  const detail::PartLight<T> brought = detail::light_on(*part.at, part.ray, light, shadow.to_light, uncovered);
+  direct.sum += brought.diffuse + brought.specular;
+  if constexpr (Observer::watches) direct.terms.push_back({light.index, Rgbd(brought.diffuse), Rgbd(brought.specular)});
 }
 
 }  // namespace raywalk

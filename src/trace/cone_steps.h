@@ -2,6 +2,7 @@
 // What the statements of trace/cones.h do, but for lights (trace/cone_light_steps.h). Included by it alone.
 
 #include "trace/cones.h"
+#include "trace/part_steps.h"
 #include "trace/pattern_filter.h"
 #include "trace/representable.h"
 
@@ -54,14 +55,9 @@ ConeTracer<T, Watcher>::ConeTracer(const World<T>& world, const std::vector<Cone
       camera_(camera),
       observer_(observer),
       stop_(stop),
+      primitives_(detail::first_primitives(world)),
       far_(detail::far_from(Vec3d(camera.eye()), bodies)),
-      nested_(world) {
-  for (int i = world.accelerator.primitives().size() - 1; i >= 0; --i) {
-    const auto object = static_cast<std::size_t>(world.object(i));
-    if (object >= primitives_.size()) primitives_.resize(object + 1, -1);
-    primitives_[object] = i;
-  }
-}
+      nested_(world) {}
 
 template <class T, class Watcher>
 void ConeTracer<T, Watcher>::begin(const Pixel& pixel) {
@@ -143,15 +139,9 @@ void ConeTracer<T, Watcher>::meet(Part& part, const Cone& cone) {
   part.width = turned_out({narrow.radius_at(part.t * size), narrow.spread});
   part.object = bodies_[static_cast<std::size_t>(part.body)].object;
   const Hit<T> hit{static_cast<T>(part.t * size), primitives_[static_cast<std::size_t>(part.object)], part.part};
-  struct Followed {
-    Ray<T> ray;
-    int number, length;
-    Rgb<T> throughput;
-    const Medium* medium;
-  };
-  const Followed followed{part.ray, part.number, 1, Rgb<T>(1), cone.medium};
+  const detail::MiddleOfPart<T> middle{part.ray, part.number, cone.medium};
   detail::ConeDifferential<T> differential(world_, part.width);
-  part.at = prepare_vertex<AllEffects>(world_, nested_, followed, hit, statistics_, differential);
+  part.at = prepare_vertex<AllEffects>(world_, nested_, middle, hit, statistics_, differential);
   const auto& surface = *part.at->surface;
   part.ambient = surface.ambient;
   const SurfacePoint<T> point{part.at->position, part.at->outward_normal};
@@ -190,7 +180,7 @@ void ConeTracer<T, Watcher>::begin(int depth, const std::vector<Part>& parts, co
 
 template <class T, class Watcher>
 Rgb<T> ConeTracer<T, Watcher>::shade_middle(int depth, const Part& part, const DirectLighting& direct) {
-  Rgb<T> ambient{0}, emission{0}, total = background_along(part.ray.direction);
+  Rgb<T> ambient{0}, emission{0}, total = world_.background_along(part.ray.direction);
   if (part.at) {
     ambient = part.ambient * world_.ambient;
     emission = part.at->surface->emission;
@@ -256,12 +246,7 @@ auto ConeTracer<T, Watcher>::form_next_cone(Line line, int depth, const Part& pa
                                             const Medium* medium) -> std::optional<Cone> {
   const SurfaceVertex<T>& at = *part.at;
   const Rgb<T> throughput = cone.throughput * at.throughput * weight * static_cast<T>(part.share);
-  std::optional<Ending> why;
-  if (depth + 1 > world_.depth)
-    why = Ending::depth;
-  else if (max_component(throughput) < world_.threshold)
-    why = Ending::threshold;
-  if (why) {
+  if (const auto why = detail::why_not_followed(world_, depth, throughput)) {
     ++statistics_.ends(*why);
     note(line, depth, [&] {
       return RayNotFormed{part.number, RayKind::beam, *why, Vec3d(at.position), Vec3d(axis), Rgbd(throughput)};
@@ -303,11 +288,6 @@ void ConeTracer<T, Watcher>::put_in_pixel(const Pixel& pixel, const Rgb<T>& fina
   if (!is_representable(final)) ++statistics_.not_finite;
   put(pixel, final);
   note(Line::cone_put_final_shade, 0, [&] { return PixelPut{pixel.column, pixel.row, pixel.sample, Rgbd(final)}; });
-}
-
-template <class T, class Watcher>
-Rgb<T> ConeTracer<T, Watcher>::background_along(const Vec3<T>& direction) const {
-  return world_.sky ? Rgb<T>(world_.sky->radiance(Vec3d(direction))) : world_.background;
 }
 
 }  // namespace raywalk

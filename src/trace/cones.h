@@ -160,7 +160,6 @@ class ConeTracer {
                  const Rgb<T>& reflected, const Rgb<T>& refracted);
   template <class Put>
   void put_in_pixel(const Pixel& pixel, const Rgb<T>& final, Put& put);
-  [[nodiscard]] Rgb<T> background_along(const Vec3<T>& direction) const;
 
   template <class Make>
   void note(Line line, int depth, Make&& make) {

@@ -266,7 +266,7 @@ Vec3d PhotonLights<T>::far_origin(const Vec3d& direction, const Vec2d& unit) con
 
 template <class T>
 Rgb<T> PhotonLights<T>::environment(const Vec3<T>& direction) const {
-  return world_.sky ? Rgb<T>(world_.sky->radiance(Vec3d(direction))) : world_.background;
+  return world_.background_along(direction);
 }
 
 template <class T>

@@ -178,7 +178,7 @@ auto RadiosityTracer<Policy>::find_closest(const EyeRay& ray) -> Nearest {
 template <class Policy>
 auto RadiosityTracer<Policy>::look_up_light(const EyeRay& ray, const Nearest& nearest) -> Rgb<T> {
   if (!nearest) {
-    const Rgb<T> seen = world_.sky ? Rgb<T>(world_.sky->radiance(Vec3d(ray.ray.direction))) : world_.background;
+    const Rgb<T> seen = world_.background_along(ray.ray.direction);
     note(Line::look_up_light, [&] {
       return LightLookedUp{ray.number, -1, settings_.patches.flat, Rgbd(0.0), Rgbd(0.0), Rgbd(seen), Rgbd(seen)};
     });

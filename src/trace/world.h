@@ -193,6 +193,10 @@ struct World {
     const auto id = static_cast<std::size_t>(primitive);
     return surfaces[surface_indices.empty() ? id : static_cast<std::size_t>(surface_indices[id])];
   }
+  /// What a ray brings that leaves the scene.
+  [[nodiscard]] Rgb<T> background_along(const Vec3<T>& direction) const {
+    return sky ? Rgb<T>(sky->radiance(Vec3d(direction))) : background;
+  }
   /// Whether rays need differentials.
   [[nodiscard]] bool filters() const { return !pattern_filters.empty(); }
   [[nodiscard]] bool filters(const Surface& its) const { return filters() && pattern_filter(its).any(); }

@@ -12,32 +12,16 @@
 
 #include "messages.h"
 #include "support/catch.h"
+#include "width_scenes.h"
 
 using namespace raywalk;
+using namespace raywalk::test;
 
 namespace {
 
-/// Walls of one shade each: what they are is what they give off.
-Material shining(const Rgbd& colour) {
-  Material material;
-  material.diffuse = Rgbd(0.0);
-  material.emission = colour;
-  return material;
-}
-
-Scene flat_scene() {
-  Scene scene;
-  scene.background = {0.1, 0.2, 0.3};
-  scene.camera.eye = {-6, 0, 0};
-  scene.camera.look_at = {0, 0, 0};
-  scene.camera.screen = {2, 4.2, 16};
-  scene.render.integrator = Integrator::beams;
-  return scene;
-}
-
 /// A mirror, round and straight things, of one shade each.
 Scene shades() {
-  Scene scene = flat_scene();
+  Scene scene = plain_scene(Integrator::beams);
   Material mirror = shining(Rgbd(0.05));
   mirror.reflection = {0.9, 0.8, 0.7};
   scene.objects = {{"Red", Prism<double>{{{-2, -0.3}, {-0.5, -1.2}, {-2, -1.7}}, 1}, shining({1, 0, 0})},
@@ -79,13 +63,6 @@ Scene lit() {
   return scene;
 }
 
-std::vector<Rgbd> strip_of(const Scene& scene) {
-  const Timeline timeline = record_strip(scene);
-  std::vector<Rgbd> strip;
-  for (const PixelRecord& pixel : timeline.pixels()) strip.push_back(pixel.shade);
-  return strip;
-}
-
 double unit(int index, std::uint32_t dimension) {
   RandomKey key;
   key.seed = 18;
@@ -122,7 +99,7 @@ TEST_CASE("watching beams changes nothing") {
     const World<double> world(scene);
     const std::vector<Outline> outlines = outlines_of(scene);
     const RayGenerator<double> camera(scene, {16, 1}, scene.image);
-    const std::vector<Rgbd> watched = strip_of(scene);
+    const std::vector<Rgbd> watched = shades_of_strip(scene);
     int put = 0;
     static_cast<void>(trace_beams(world, outlines, camera, {0, 16, 0, 1}, [&](const Pixel& pixel, const Rgbd& shade) {
       CHECK(shade == watched[static_cast<std::size_t>(pixel.column)]);
@@ -134,7 +111,7 @@ TEST_CASE("watching beams changes nothing") {
 
 TEST_CASE("where parts have one shade each, beams are the mean of a million samples") {
   const Scene scene = GENERATE(shades(), sunlit());
-  const std::vector<Rgbd> strip = strip_of(scene);
+  const std::vector<Rgbd> strip = shades_of_strip(scene);
   // Samples of the strip by the tracer itself: columns of a strip so fine that each is a sample of a pixel.
   constexpr int pixels = 16, samples = 1 << 16, strata = samples * pixels;
   Scene rays = scene;
@@ -159,12 +136,12 @@ TEST_CASE("where parts have one shade each, beams are the mean of a million samp
 }
 
 TEST_CASE("where light varies along a part, its middle stands for it: near the mean, and the same for equal shades") {
-  const std::vector<Rgbd> strip = strip_of(lit());
+  const std::vector<Rgbd> strip = shades_of_strip(lit());
   for (const Rgbd& shade : strip) CHECK(std::isfinite(shade.x + shade.y + shade.z));
-  Scene plain = flat_scene();
+  Scene plain = plain_scene(Integrator::beams);
   plain.objects = {{"One", Box<double>{{0, -9, -1}, {1, 0.1, 1}}, shining(Rgbd(0.7))},
                    {"Two", Box<double>{{0, 0.1, -1}, {1, 9, 1}}, shining(Rgbd(0.7))}};
-  for (const Rgbd& shade : strip_of(plain)) CHECK(shade == Rgbd(0.7));
+  for (const Rgbd& shade : shades_of_strip(plain)) CHECK(shade == Rgbd(0.7));
 }
 
 TEST_CASE("beams are followed only where every outline is known") {
@@ -206,7 +183,7 @@ TEST_CASE("random plans of beams have finite shades and whole walks") {
 TEST_CASE("every line and every message of beam tracing is reached") {
   std::set<std::string_view> messages;
   std::set<Line> lines;
-  Scene alone = flat_scene();
+  Scene alone = plain_scene(Integrator::beams);
   alone.objects = {shades().objects[1]};
   Scene shallow = lit(), faint = lit();
   shallow.limits.depth = 1;

@@ -12,26 +12,16 @@
 
 #include "messages.h"
 #include "support/catch.h"
+#include "width_scenes.h"
 
 using namespace raywalk;
+using namespace raywalk::test;
 
 namespace {
 
-Material cone_shining(const Rgbd& colour) {
-  Material material;
-  material.diffuse = Rgbd(0.0);
-  material.emission = colour;
-  return material;
-}
-
 Scene cone_plain() {
-  Scene scene;
-  scene.background = {0.1, 0.2, 0.3};
-  scene.camera.eye = {-6, 0, 0};
-  scene.camera.look_at = {0, 0, 0};
-  scene.camera.screen = {2, 4.2, 16};
+  Scene scene = plain_scene(Integrator::cones);
   scene.image = {16, 12};
-  scene.render.integrator = Integrator::cones;
   return scene;
 }
 
@@ -48,7 +38,7 @@ Scene cone_lit() {
   glass.dielectric = true;
   brushed.reflection = Rgbd(0.6);
   brushed.gloss = 4;
-  scene.objects = {{"Red", Prism<double>{{{-2, -0.3}, {-0.5, -1.2}, {-2, -1.7}}, 1}, cone_shining({1, 0, 0})},
+  scene.objects = {{"Red", Prism<double>{{{-2, -0.3}, {-0.5, -1.2}, {-2, -1.7}}, 1}, shining({1, 0, 0})},
                    {"Matt", Sphere<double>{{-1.3, 1.1, 0}, 0.8}, matt},
                    {"Glass", Box<double>{{0, 0.4, -1}, {3, 3, 1}}, glass},
                    {"Chrome", Sphere<double>{{2.5, -0.8, 0}, 0.9}, chrome},
@@ -59,13 +49,6 @@ Scene cone_lit() {
   scene.lights = {{"Lamp", Rgbd(0.9), SphereLight{{-3, 4, 0}, 0.5, 16, {1, 0, 0}}},
                   {"Sun", Rgbd(0.2), DirectionalLight{{-1, -0.4, 0}}}};
   return scene;
-}
-
-std::vector<Rgbd> cone_strip(const Scene& scene) {
-  const Timeline timeline = record_strip(scene);
-  std::vector<Rgbd> strip;
-  for (const PixelRecord& pixel : timeline.pixels()) strip.push_back(pixel.shade);
-  return strip;
 }
 
 /// The picture's pixels, in double.
@@ -130,9 +113,9 @@ TEST_CASE("watching cones changes nothing, and they draw no random number") {
 
 TEST_CASE("in the plan a cone sees of one object what all its rays do") {
   Scene scene = cone_plain();
-  scene.objects = {{"Ball", Sphere<double>{{-1, 0.4, 0}, 0.7}, cone_shining({1, 1, 1})}};
+  scene.objects = {{"Ball", Sphere<double>{{-1, 0.4, 0}, 0.7}, shining({1, 1, 1})}};
   scene.background = Rgbd(0.0);
-  const std::vector<Rgbd> strip = cone_strip(scene);
+  const std::vector<Rgbd> strip = shades_of_strip(scene);
   constexpr int samples = 4096, cells = 16;
   Scene rays = scene;
   rays.render.integrator = Integrator::whitted;
@@ -153,16 +136,16 @@ TEST_CASE("in the plan a cone sees of one object what all its rays do") {
 
 TEST_CASE("flat mirrors leave what is seen in them as it is") {
   Scene scene = cone_plain();
-  scene.objects = {{"Ball", Sphere<double>{{-1, 0.4, 0}, 0.7}, cone_shining({1, 1, 1})}};
+  scene.objects = {{"Ball", Sphere<double>{{-1, 0.4, 0}, 0.7}, shining({1, 1, 1})}};
   scene.background = Rgbd(0.0);
-  const std::vector<Rgbd> direct = cone_strip(scene);
+  const std::vector<Rgbd> direct = shades_of_strip(scene);
   // The same in a mirror across the view, which turns left and right about.
   Material mirror;
   mirror.diffuse = mirror.ambient = Rgbd(0.0);
   mirror.reflection = Rgbd(1.0);
   scene.objects[0].shape = Sphere<double>{{-7, 0.4, 0}, 0.7};
   scene.objects.push_back({"Mirror", Box<double>{{-4, -9, -9}, {-3, 9, 9}}, mirror});
-  const std::vector<Rgbd> mirrored = cone_strip(scene);
+  const std::vector<Rgbd> mirrored = shades_of_strip(scene);
   for (std::size_t i = 0; i < direct.size(); ++i) CHECK(mirrored[i].x == Approx(direct[i].x).margin(1e-12));
 }
 
@@ -224,7 +207,7 @@ TEST_CASE("every line and every message of cone tracing is reached") {
   std::set<std::string_view> messages;
   std::set<Line> lines;
   Scene alone = cone_plain();
-  alone.objects = {{"Green", Sphere<double>{{-1.3, 1.1, 0}, 0.8}, cone_shining({0, 1, 0})}};
+  alone.objects = {{"Green", Sphere<double>{{-1.3, 1.1, 0}, 0.8}, shining({0, 1, 0})}};
   Scene shallow = cone_lit(), faint = cone_lit(), hollow = cone_lit();
   shallow.limits.depth = 1;
   faint.limits.threshold = 0.95;
