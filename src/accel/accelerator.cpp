@@ -20,13 +20,13 @@ AcceleratorKind resolve(AcceleratorKind kind, const PrimitiveBounds<T>& boxes, c
 }  // namespace
 
 template <class T>
-Accelerator<T>::Accelerator(Primitives<T> primitives, AcceleratorKind kind, const Stop& stop)
+Accelerator<T>::Accelerator(Primitives<T> primitives, AcceleratorKind kind, const BuildOptions& build)
     : primitives_(std::move(primitives)) {
   const auto begin = std::chrono::steady_clock::now();
-  PrimitiveBounds<T> boxes(primitives_, stop);
-  primitives_.find_equals(boxes.boxes, stop);
+  PrimitiveBounds<T> boxes(primitives_, build.stop);
+  primitives_.find_equals(boxes.boxes, build.stop);
   kind_ = resolve(kind, boxes, primitives_);
-  structure_ = std::make_shared<const Structure>(Structure{build_structure(kind_, boxes, primitives_, {stop})});
+  structure_ = std::make_shared<const Structure>(Structure{build_structure(kind_, boxes, primitives_, build)});
   if (kind_ == AcceleratorKind::none)
     boxes_ = std::move(boxes.boxes);
   else

@@ -1,6 +1,7 @@
 #pragma once
 // The one interface to all accelerators. They differ in cost, never in their answers.
 
+#include "accel/build_record.h"
 #include "accel/query.h"
 #include "accel/shaft.h"
 #include "math/stop.h"
@@ -33,9 +34,9 @@ struct ShadowHints {
 template <class T>
 class Accelerator {
  public:
-  /// `stop` may cancel the build, which then throws Stopped.
+  /// `build.stop` may cancel the build, which then throws Stopped.
   explicit Accelerator(Primitives<T> primitives, AcceleratorKind kind = AcceleratorKind::automatic,
-                       const Stop& stop = {});
+                       const BuildOptions& build = {});
 
   /// The nearest accepted intersection in (0, t_max); an exact tie in t goes to the lower id. `Accept` is AnyPrimitive,
   /// StopsShadows or OfBodies.

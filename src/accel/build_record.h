@@ -3,6 +3,7 @@
 
 #include "math/bounds.h"
 #include "math/stop.h"
+#include "math/words.h"
 
 #include <array>
 #include <cstddef>
@@ -69,10 +70,28 @@ struct BuildRecord {
   }
 };
 
+/// How much time a tree over triangles may take to build, for rays that find theirs sooner. The answers are the same.
+enum class BuildQuality {
+  automatic,  ///< fast where few rays are expected, else good
+  fast,       ///< planes are tried along one axis
+  good,
+  best  ///< space is split too (accel/spatial_split.h): pays where the boxes of triangles overlap much
+};
+template <>
+inline constexpr Word<BuildQuality> words_of<BuildQuality>[] = {{BuildQuality::automatic, "auto"},
+                                                                {BuildQuality::fast, "fast"},
+                                                                {BuildQuality::good, "good"},
+                                                                {BuildQuality::best, "best"}};
+
 /// What a build is given besides its boxes.
 struct BuildOptions {
   Stop stop{};
   BuildRecord* watcher = nullptr;  ///< records the build, if not null
+  BuildQuality quality = BuildQuality::automatic;
+  double expected_rays = 0;  ///< 0: not known
+
+  /// For so many triangles: never automatic.
+  [[nodiscard]] BuildQuality quality_for(std::size_t triangles) const;
 };
 
 }  // namespace raywalk

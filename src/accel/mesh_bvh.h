@@ -34,7 +34,7 @@ class MeshBvh {
   void list_nodes(std::vector<StructureNode>& nodes, std::size_t most) const { tree_.list_nodes(nodes, most); }
 
   [[nodiscard]] AcceleratorStatistics statistics() const {
-    return {tree_.node_count(), tree_.item_count(), tree_.depth(), tree_.bytes()};
+    return {tree_.node_count(), tree_.item_count(), tree_.depth(), tree_.bytes(), tree_.expected_cost()};
   }
 
  private:
@@ -120,7 +120,10 @@ MeshBvh<T>::MeshBvh(const PrimitiveBounds<T>& boxes, const Primitives<T>& primit
   build.stop.each(boxes.bounded.begin(), boxes.bounded.end(), [&](int id) {
     items.push_back({rounded_out(boxes.box(id)), id, primitives.still_triangle(id) ? 1 : 0});
   });
-  tree_ = WideTree(std::move(items), build);
+  tree_ = WideTree(std::move(items), build, [&](std::int32_t id) {
+    const Triangle<T> triangle = primitives.triangles()[id - primitives.shape_count()];
+    return std::array{wide(triangle.a), wide(triangle.b), wide(triangle.c)};
+  });
   build.stop.each(tree_.packs().begin(), tree_.packs().end(), [&](TrianglePack& pack) {
     for (std::size_t lane = 0; lane < tree_width; ++lane) {
       const int id = pack.ids[lane];

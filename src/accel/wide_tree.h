@@ -2,6 +2,7 @@
 // The tree that MeshBvh searches, in float for rays of either precision. Eight boxes a node and eight triangles a pack,
 // on every processor: how many of them are tested at a time (accel/width.h) changes no node that a ray meets.
 
+#include "accel/binary_tree.h"
 #include "accel/build_record.h"
 #include "math/bounds.h"
 
@@ -10,8 +11,6 @@
 #include <vector>
 
 namespace raywalk {
-
-inline constexpr unsigned tree_width = 8;  ///< boxes in a node, triangles in a pack
 
 /// What a node's box holds, in 32 bits: a node; a leaf of up to eight triangles, which is a pack; or a leaf of other
 /// primitives.
@@ -62,27 +61,18 @@ struct alignas(64) TrianglePack {
   std::int32_t ids[tree_width];
 };
 
-/// What the tree is built from.
-struct alignas(32) TreeItem {
-  Bounds<float> box;  ///< rounded out
-  std::int32_t id;
-  std::int32_t packed;  ///< 1 for a triangle that packs hold, else 0
-};
-
 /// Bounding volume hierarchy.
 ///
-/// Built top-down as a binary tree by the surface area heuristic over 16 bins (J. Goldsmith and J. Salmon 1987; I.
-/// Wald, "On fast construction of SAH-based bounding volume hierarchies", 2007), which is then collapsed into a wide
-/// one (H. Dammertz, J. Hanika and A. Keller, "Shallow bounding volume hierarchies for fast SIMD ray tracing of
-/// incoherent rays", 2008).
+/// Built top-down as a binary tree (accel/binary_tree.h), which is then collapsed into a wide one (H. Dammertz, J.
+/// Hanika and A. Keller, "Shallow bounding volume hierarchies for fast SIMD ray tracing of incoherent rays", 2008).
 class WideTree {
  public:
   WideTree() = default;
   /// Over items with finite, non-empty boxes. The packs' corners are left to the caller.
-  explicit WideTree(std::vector<TreeItem> items, const BuildOptions& build = {});
+  /// `corners`: see BinaryTree.
+  explicit WideTree(std::vector<TreeItem> items, const BuildOptions& build = {}, const CornersOf& corners = {});
 
-  /// Binary levels by the heuristic; what is left then is halved until it fits into leaves, at most 31 times.
-  static constexpr std::size_t max_depth = 64, most_levels = max_depth + 31;
+  static constexpr std::size_t most_levels = BinaryTree::most_levels;
 
   [[nodiscard]] bool empty() const { return nodes_.empty(); }
   [[nodiscard]] const WideNode& node(std::uint32_t index) const { return nodes_[index]; }
@@ -93,6 +83,8 @@ class WideTree {
   [[nodiscard]] std::size_t node_count() const { return nodes_.size(); }
   [[nodiscard]] std::size_t item_count() const { return items_; }
   [[nodiscard]] int depth() const { return depth_; }
+  /// As AcceleratorStatistics has it.
+  [[nodiscard]] double expected_cost() const { return expected_cost_; }
   [[nodiscard]] std::size_t bytes() const {
     return nodes_.size() * sizeof(WideNode) + packs_.size() * sizeof(TrianglePack) + ids_.size() * sizeof(std::int32_t);
   }
@@ -108,6 +100,7 @@ class WideTree {
   std::vector<std::int32_t> ids_;  ///< of leaves without triangles
   std::size_t items_ = 0;
   int depth_ = 0;
+  double expected_cost_ = 0;
 };
 
 }  // namespace raywalk

@@ -62,14 +62,15 @@ std::string structures_text(const Scene& scene, const World<double>& chosen) {
   std::string text = fmt::format(
       "\nstructures over {}; {} is chosen\n",
       count_of(static_cast<std::size_t>(chosen.accelerator.primitives().size()), "primitive"), name_of(automatic));
-  text += fmt::format("  {:<15} {:>9} {:>6} {:>11} {:>11} {:>9}\n", "", "nodes", "depth", "references", "bytes",
-                      "build ms");
+  text += fmt::format("  {:<15} {:>9} {:>6} {:>11} {:>11} {:>9} {:>8}\n", "", "nodes", "depth", "references", "bytes",
+                      "build ms", "SAH cost");
   for (const AcceleratorKind kind : values_of<AcceleratorKind>) {
     const bool shown = kind == automatic || (kind != AcceleratorKind::automatic && entries_of(scene.objects) <= few);
     if (!shown) continue;
     const AcceleratorStatistics s = (kind == automatic ? chosen : World<double>(scene, kind)).accelerator.statistics();
-    text += fmt::format("  {:<15} {:>9} {:>6} {:>11} {:>11} {:>9.2f}\n", name_of(kind), s.nodes, s.depth, s.references,
+    text += fmt::format("  {:<15} {:>9} {:>6} {:>11} {:>11} {:>9.2f}", name_of(kind), s.nodes, s.depth, s.references,
                         s.bytes, 1000 * s.build_seconds);
+    text += s.expected_cost > 0 ? fmt::format(" {:>8.2f}\n", s.expected_cost) : "\n";
   }
   return text;
 }

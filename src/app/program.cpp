@@ -108,6 +108,10 @@ void declare_render(CLI::App& program, Run& run) {
              "Which random numbers are drawn, where any are (0 when left out)");
   add_choice<AcceleratorKind>(command, "--accel", to.accelerator,
                               "How the objects that a ray may meet are found; the picture is the same");
+  add_choice<BuildQuality>(command, "--build", to.build,
+                           "How long a tree over meshes may be built, for rays that find their triangle sooner: best\n"
+                           "splits triangles, which pays where many overlap; auto, as when left out, is fast for few\n"
+                           "rays, else good. The picture is the same");
   auto* cached = command.add_flag_callback(
       "--shadow-cache", [&to] { to.shadow_cache = true; },
       "Shadow rays first try what hid the same light last (when left out: with any --accel but none); the picture is "
@@ -119,7 +123,7 @@ void declare_render(CLI::App& program, Run& run) {
   add_part(command, to.share, "Render only this share of the picture, into IMAGE.part-I-of-N, for raywalk merge");
   command.add_flag("-q,--quiet", to.quiet, "Say nothing on the terminal but what went wrong");
   command.footer(
-      "What is left out is as the scene says. Neither --threads nor --accel changes a bit of the picture.\n"
+      "What is left out is as the scene says. None of --threads, --accel and --build changes a bit of the picture.\n"
       "Ctrl-C writes what is done to NAME.partial.png, or NAME.partial-2.png and so on where there is one, and leaves "
       "an\n"
       "old image whole; twice, it ends at once.\n\n"

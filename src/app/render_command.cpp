@@ -96,6 +96,11 @@ std::string summary(const std::string& image, const Rendering& rendering, ImageS
   std::string text = fmt::format("{}: {} x {} pixels, {} rays, {:.2f} s in {} thread{}", image, size.width, size.height,
                                  rays, rendering.trace_seconds, rendering.threads, rendering.threads == 1 ? "" : "s");
   if (rendering.threads > 1) text += fmt::format(", {:.2f} of them busy", rendering.busy_threads());
+  const TestCounts& tests = statistics.tests;
+  if (rays > 0 && tests.nodes > 0)
+    text += fmt::format(", {:.1f} nodes and {:.1f} primitives a ray",
+                        static_cast<double>(tests.nodes) / static_cast<double>(rays),
+                        static_cast<double>(tests.primitives) / static_cast<double>(rays));
   return text;
 }
 
@@ -182,6 +187,7 @@ ExitCode render_command(const RenderOptions& options) {
   {
     ProgressBar bar;
     RenderSettings settings{size, sampling, options.precision, options.accelerator};
+    settings.build = options.build;
     settings.threads = options.threads;
     settings.tolerance = choices.tolerance;
     settings.shadow_cache = options.shadow_cache;

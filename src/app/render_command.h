@@ -28,6 +28,7 @@ struct RenderOptions {
   bool corner_samples = false;
   int threads = 0;
   AcceleratorKind accelerator = AcceleratorKind::automatic;
+  BuildQuality build = BuildQuality::automatic;
   std::optional<bool> shadow_cache{};
   Precision precision = Precision::double_;
   std::optional<Share> share{};  ///< --part: only this one, for `raywalk merge`

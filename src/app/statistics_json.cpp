@@ -47,6 +47,7 @@ std::string statistics_json(const Rendering& rendering, const RenderReport& repo
                          {"nodes", rendering.structure.nodes},
                          {"references", rendering.structure.references},
                          {"depth", rendering.structure.depth},
+                         {"expected_cost", rendering.structure.expected_cost},
                          {"bytes", rendering.structure.bytes}};
   json["seconds"] = {{"load", report.load_seconds},
                      {"build", rendering.build_seconds},

@@ -3,6 +3,7 @@
 #include "check/family.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace raywalk::check {
@@ -76,7 +77,10 @@ Tally compare(AcceleratorKind kind, std::uint64_t seed, std::uint64_t first, std
       Random again(seed, 50, number / rays_a_heap);
       plain.emplace(heap<T>(again, false, mesh), AcceleratorKind::none);
       again = Random(seed, 50, number / rays_a_heap);
-      structure.emplace(heap<T>(again, permuted, mesh), kind);
+      // Trees over meshes in every quality.
+      constexpr std::array qualities{BuildQuality::good, BuildQuality::best, BuildQuality::fast};
+      structure.emplace(heap<T>(again, permuted, mesh), kind,
+                        BuildOptions{.quality = qualities[number / rays_a_heap / 2 % qualities.size()]});
     }
     Random random(seed, 51, number);
     const Primitives<T>& all = plain->primitives();

@@ -95,7 +95,9 @@ MemoryNeed needed(const Scene& scene, const RenderSettings& settings) {
   constexpr double surface = growing * sizeof(typename World<T>::Surface) + 64;
   const double shapes = census.shapes * (growing * sizeof(Shape<T>) + known + share * structure.shape) +
                         census.placed * growing * (sizeof(ObjectTransform<T>) + 4) + census.surfaces * surface;
-  const double triangles = census.triangles * (sizeof(Mesh::Corners) + known + share * structure.triangle) +
+  // Where space is split, up to half of them are listed twice (accel/binary_tree.cpp).
+  const double listed = settings.build == BuildQuality::best ? 1.5 : 1;
+  const double triangles = census.triangles * (sizeof(Mesh::Corners) + known + share * listed * structure.triangle) +
                            census.vertices * 2 * sizeof(Vec3<T>);  // positions and normals
   const ImageSize size = settings.size.value_or(scene.image);
   // The mean of each pixel, and the floats of its file.

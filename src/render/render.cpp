@@ -46,11 +46,21 @@ class Reporter {
   double next_ = interval;
 };
 
+/// Roughly, of the whole image: a few to each path, or one to each light.
+double expected_rays(const Scene& scene, const RenderSettings& settings, ImageSize size) {
+  constexpr double of_path = 8;
+  const double of_sample = traits_of(integrator_of(scene, settings.sampling.per_pixel)).is_global
+                               ? of_path
+                               : 1 + static_cast<double>(scene.lights.size());
+  return static_cast<double>(size.width) * size.height * settings.sampling.per_pixel * of_sample;
+}
+
 /// `size` pixels, which are the image `whole` or a strip of it.
 template <class T>
 Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSize size, ImageSize whole) {
   const auto build_start = Clock::now();
-  World<T> world(scene, settings.accelerator, settings.fault, settings.stop);
+  World<T> world(scene, settings.accelerator, settings.fault,
+                 {settings.stop, nullptr, settings.build, expected_rays(scene, settings, size)});
   world.shadow_cache = settings.shadow_cache.value_or(world.accelerator.kind() != AcceleratorKind::none);
   Picture<T> picture(scene, world, size, whole, settings.sampling, settings.tolerance);
   if (settings.share) picture.restrict_to(*settings.share);

@@ -28,6 +28,7 @@ struct RenderSettings {
   Sampling sampling{};
   Precision precision = Precision::double_;
   AcceleratorKind accelerator = AcceleratorKind::automatic;
+  BuildQuality build = BuildQuality::automatic;
   std::optional<Fault> fault{};  ///< breaks the tracer on purpose
   int threads = 0;               ///< 0: as many as the machine runs concurrently
 

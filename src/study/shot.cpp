@@ -11,7 +11,7 @@ namespace raywalk::study {
 
 Shot shoot(const Scene& scene, ImageSize size, Sampling sampling, bool shuffled,
            const std::optional<PathSettings>& paths, const Stop& stop) {
-  const World<double> world(scene, AcceleratorKind::automatic, {}, stop);
+  const World<double> world(scene, AcceleratorKind::automatic, {}, {.stop = stop});
   Picture<double> picture(scene, world, size, size, sampling, 0, paths);
   Statistics statistics;
   const double start = thread_seconds();

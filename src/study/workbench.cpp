@@ -46,7 +46,7 @@ template <class T>
 class DevelopmentIn final : public Workbench::Development {
  public:
   DevelopmentIn(const Scene& scene, const Setup& setup, ImageSize size, std::uint64_t seed, const Stop& stop)
-      : world_(scene, setup.accelerator, {}, stop),
+      : world_(scene, setup.accelerator, {}, {.stop = stop}),
         picture_(scene, world_, size, size, Sampling{setup.samples, seed}, setup.tolerance),
         sample_(picture_.from()) {}
 

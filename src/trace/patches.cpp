@@ -116,7 +116,7 @@ std::optional<Error> why_no_patches(const Scene& scene, const Stop& stop) {
                       "leave out its motion, or use --integrator path"};
     });
   if (error) return error;
-  const World<double> world(scene, AcceleratorKind::none, std::nullopt, stop);
+  const World<double> world(scene, AcceleratorKind::none, std::nullopt, BuildOptions{stop});
   const double size = scene.render.radiosity.patch.value_or(Patches::share_of_extent * extent_of(world));
   if (static_cast<int>(cut_into_patches(world, size, false, Patches::most, stop).patches.size()) > Patches::most)
     error = Error{
@@ -147,7 +147,7 @@ std::vector<std::string> patch_losses(const Scene& scene) {
 }
 
 Patches::Patches(const Scene& scene, const PatchSettings& settings, const Stop& stop) : flat_(settings.flat) {
-  world_.emplace(scene, AcceleratorKind::none, std::nullopt, stop);
+  world_.emplace(scene, AcceleratorKind::none, std::nullopt, BuildOptions{stop});
   const World<double>& world = *world_;
   const double size = std::isinf(settings.size) ? share_of_extent * extent_of(world) : settings.size;
   CutScene cut = cut_into_patches(world, size, flat_, most, stop);
@@ -169,7 +169,7 @@ Patches::Patches(const Scene& scene, const PatchSettings& settings, const Stop& 
     polygon.outline.assign(patch.corner.begin(), patch.corner.begin() + patch.corners);
     pieces.add(Shape<double>(std::move(polygon)));
   }
-  occluders_.emplace(std::move(pieces), AcceleratorKind::automatic, stop);
+  occluders_.emplace(std::move(pieces), AcceleratorKind::automatic, BuildOptions{stop});
 
   // What shines, for the insides of closed bodies.
   struct Source {

@@ -226,7 +226,7 @@ class Flattener {
 }  // namespace
 
 template <class T>
-World<T>::World(const Scene& scene, AcceleratorKind kind, std::optional<Fault> its_fault, const Stop& stop)
+World<T>::World(const Scene& scene, AcceleratorKind kind, std::optional<Fault> its_fault, const BuildOptions& build)
     : background(scene.background),
       ambient(scene.ambient),
       sky(scene.sky ? std::make_shared<const SkyLight>(*scene.sky, scene.background) : nullptr),
@@ -234,7 +234,7 @@ World<T>::World(const Scene& scene, AcceleratorKind kind, std::optional<Fault> i
       threshold(static_cast<T>(scene.limits.threshold)),
       effects(effects_of(scene)),
       draws(draws_random(integrator_of(scene))),
-      accelerator(Flattener<T>(scene, *this, stop).take(), kind, stop),
+      accelerator(Flattener<T>(scene, *this, build.stop).take(), kind, build),
       fault(its_fault),
       numerics(fault ? Numerics::naive : scene.render.numerics),
       occludes(scene.render.switches.shadows),

@@ -150,10 +150,10 @@ struct World {
     }
   };
 
-  /// `fault`: breaks the tracer on purpose; numerics are then naive, whatever the scene says. `stop` may cancel the
-  /// construction, which then throws Stopped.
+  /// `fault`: breaks the tracer on purpose; numerics are then naive, whatever the scene says. `build.stop` may cancel
+  /// the construction, which then throws Stopped.
   explicit World(const Scene& scene, AcceleratorKind kind = AcceleratorKind::automatic,
-                 std::optional<Fault> fault = std::nullopt, const Stop& stop = {});
+                 std::optional<Fault> fault = std::nullopt, const BuildOptions& build = {});
 
   std::vector<Surface> surfaces;
   std::vector<Scattering> scatterings;  ///< of the media that scatter

@@ -31,7 +31,7 @@ TEMPLATE_TEST_CASE("a build asks from its beginning to its end whether it is wan
   for (const AcceleratorKind kind : kinds) {
     CAPTURE(name_of(kind));
     Asked wanted;
-    const Accelerator<TestType> whole(primitives, kind, Stop(wanted));
+    const Accelerator<TestType> whole(primitives, kind, {Stop(wanted)});
     const AcceleratorStatistics statistics = whole.statistics(),
                                 unasked = Accelerator<TestType>(primitives, kind).statistics();
     CHECK(statistics.nodes == unasked.nodes);
@@ -40,7 +40,7 @@ TEMPLATE_TEST_CASE("a build asks from its beginning to its end whether it is wan
     // Also close to its end.
     for (const int until : {1, wanted.times.load() / 2, wanted.times.load() - 1}) {
       Asked unwanted(until);
-      CHECK_THROWS_AS(Accelerator<TestType>(primitives, kind, Stop(unwanted)), Stopped);
+      CHECK_THROWS_AS(Accelerator<TestType>(primitives, kind, {Stop(unwanted)}), Stopped);
       CHECK(unwanted.times == until);
     }
   }

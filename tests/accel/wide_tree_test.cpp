@@ -3,12 +3,16 @@
 #include "accel/wide_tree.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <random>
 
 #include "accel/float_slabs.h"
+#include "shape/numbers.h"
 #include "support/catch.h"
 
 using namespace raywalk;
+using namespace raywalk::test;
 
 namespace {
 
@@ -77,7 +81,87 @@ void check(const std::vector<TreeItem>& items) {
   CHECK(static_cast<std::size_t>(tree.depth()) <= WideTree::most_levels);
 }
 
+// Triangles through each other, of all sizes and slants.
+struct Soup {
+  std::vector<std::array<Vec3d, 3>> triangles;
+  std::vector<TreeItem> items;
+  explicit Soup(int count) {
+    Numbers next(11);
+    for (int i = 0; i < count; ++i) {
+      // Most are small, some are thin.
+      const Vec3d at = next.in_box<double>(1);
+      const double size = std::pow(next.real(0.1, 1), 4) * 0.4;
+      const Vec3d a = at + size * next.unit<double>();
+      triangles.push_back({at, a, i % 5 == 0 ? a + 0.001 * next.unit<double>() : at + size * next.unit<double>()});
+      Bounds<double> box;
+      for (const Vec3d& corner : triangles.back()) box.include(corner);
+      items.push_back({rounded_out(box), i, 1});
+    }
+  }
+  [[nodiscard]] WideTree tree(BuildQuality quality) const {
+    return WideTree(items, {.quality = quality},
+                    [this](std::int32_t id) { return triangles[static_cast<std::size_t>(id)]; });
+  }
+};
+
+// Whether `id` is listed where `point` is inside of all boxes.
+bool finds(const WideTree& tree, std::uint32_t index, const Vec3d& point, std::int32_t id) {
+  const WideNode& node = tree.node(index);
+  for (unsigned lane = 0; lane < node.count; ++lane) {
+    const Bounds<float> box = node.box(lane);
+    bool inside = true;
+    for (int axis = 0; axis < 3; ++axis)
+      inside = inside && static_cast<double>(box.min[axis]) <= point[axis] &&
+               point[axis] <= static_cast<double>(box.max[axis]);
+    if (!inside) continue;
+    const TreeChild child = node.children[lane];
+    if (!child.is_leaf()) {
+      if (finds(tree, child.index(), point, id)) return true;
+      continue;
+    }
+    const std::int32_t* of = child.is_pack() ? tree.pack(child.index()).ids : tree.listed(child.index());
+    if (std::find(of, of + child.count(), id) != of + child.count()) return true;
+  }
+  return false;
+}
+
 }  // namespace
+
+TEST_CASE("where space is split, each point of a triangle is where the triangle is listed", "[accel]") {
+  const Soup soup(5000);
+  const WideTree fast = soup.tree(BuildQuality::fast), good = soup.tree(BuildQuality::good),
+                 best = soup.tree(BuildQuality::best);
+  CHECK(good.item_count() == soup.items.size());
+  CHECK(best.item_count() > soup.items.size());
+  CHECK(best.item_count() <= soup.items.size() * 3 / 2);
+  CHECK(best.expected_cost() < 0.9 * good.expected_cost());
+  CHECK(good.expected_cost() < fast.expected_cost());
+  CAPTURE(best.item_count());
+  Numbers next(3);
+  int lost = 0;
+  for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
+    const auto& [a, b, c] = soup.triangles[i];
+    for (int point = 0; point < 20; ++point) {
+      // At corners, on edges, inside.
+      const double u = point < 3 ? point / 2 : next.real(0, 1), v = point < 12 ? point % 2 : next.real(0, 1);
+      const double s = std::min(u, v), t = std::max(u, v) - s;
+      lost += !finds(best, 0, a + s * (b - a) + t * (c - a), static_cast<std::int32_t>(i));
+    }
+  }
+  CHECK(lost == 0);
+}
+
+TEST_CASE("how well a tree is built follows how many rays are expected", "[accel]") {
+  const auto quality = [](BuildQuality wanted, double rays) {
+    return BuildOptions{.quality = wanted, .expected_rays = rays}.quality_for(1000);
+  };
+  CHECK(quality(BuildQuality::automatic, 0) == BuildQuality::good);
+  CHECK(quality(BuildQuality::automatic, 1000) == BuildQuality::fast);
+  CHECK(quality(BuildQuality::automatic, 50'000) == BuildQuality::good);
+  CHECK(quality(BuildQuality::automatic, 1e6) == BuildQuality::good);
+  for (const BuildQuality each : {BuildQuality::fast, BuildQuality::good, BuildQuality::best})
+    CHECK(quality(each, 1000) == each);
+}
 
 TEST_CASE("a tree lists everything once, inside of all boxes above", "[accel]") {
   for (const int count : {1, 2, 4, 5, 8, 9, 100, 3000}) {

@@ -77,6 +77,26 @@ TEST_CASE("neither threads nor the accelerator change a byte of the picture") {
   }
 }
 
+TEST_CASE(
+    "how long a tree over meshes is built changes no byte of the picture, and the file says what it costs a ray") {
+  const Folder folder;
+  std::string expected;
+  std::vector<double> costs;
+  for (const std::string quality : {"fast", "good", "best", "auto"}) {
+    CAPTURE(quality);
+    REQUIRE(folder.run({"render", "mesh", "-o", "x.pfm", "--size", "150x100", "--build", quality, "--stats", "x.json"})
+                .exit_code == 0);
+    if (expected.empty()) expected = folder.read("x.pfm");
+    CHECK(folder.read("x.pfm") == expected);
+    const nlohmann::json tree = nlohmann::json::parse(folder.read("x.json"))["accelerator"];
+    CHECK(tree["name"] == "bvh");
+    costs.push_back(tree["expected_cost"].get<double>());
+    CHECK(costs.back() > 1);
+  }
+  CHECK(costs[2] != costs[1]);
+  CHECK(costs[3] == costs[1]);
+}
+
 TEST_CASE("a PNG has the size of the scene, and replaces the old one") {
   const Folder folder;
   folder.write("out.png", "old");

@@ -8,6 +8,7 @@
 // shared folder. Exits 1 when one of Raywalk's answers is wrong.
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -259,15 +260,34 @@ double median(std::vector<double> all) {
 int race(const Subject& subject, int thousands, int runs) {
   Primitives<float> primitives;
   primitives.add(subject.mesh, {}, false);
-  const double begin = processor_seconds();
-  const Accelerator<float> accelerator(primitives, AcceleratorKind::bvh);
-  const double built = processor_seconds() - begin;
-  const AcceleratorStatistics tree = accelerator.statistics();
-  std::printf("\n%s: %zu triangles; ours built in %.3f s, %.1f MB, %zu nodes\n", subject.name.c_str(),
-              subject.mesh.triangles.size(), built, static_cast<double>(tree.bytes) / 1e6, tree.nodes);
+  std::printf("\n%s: %zu triangles\n", subject.name.c_str(), subject.mesh.triangles.size());
+  // Built in turn, the first time to warm up.
+  constexpr std::array qualities{BuildQuality::fast, BuildQuality::good, BuildQuality::best};
+  std::array<std::vector<double>, qualities.size()> build_seconds;
+  std::array<std::optional<Accelerator<float>>, qualities.size()> built;
+  for (int run = 0; run < runs + 1; ++run)
+    for (std::size_t i = 0; i < qualities.size(); ++i) {
+      built[i].reset();
+      const double begin = processor_seconds();
+      built[i].emplace(primitives, AcceleratorKind::bvh, BuildOptions{.quality = qualities[i]});
+      if (run > 0) build_seconds[i].push_back(processor_seconds() - begin);
+    }
+  for (std::size_t i = 0; i < qualities.size(); ++i) {
+    const AcceleratorStatistics tree = built[i]->statistics();
+    std::printf("ours %-4s built in %.3f s, %.1f MB, %zu nodes, SAH cost %.2f\n",
+                std::string(name_of(qualities[i])).c_str(), median(build_seconds[i]),
+                static_cast<double>(tree.bytes) / 1e6, tree.nodes, tree.expected_cost);
+  }
+  const Accelerator<float>&fast = *built[0], &accelerator = *built[1], &best = *built[2];
   std::vector<Racer> racers;
+  const auto race_ours = [&](const std::string& name, const Accelerator<float>& tree, double seconds) {
+    racers.push_back(
+        {name, seconds, [&tree](const RaySet& set, std::vector<int>& answers) { trace_ours(tree, set, answers); }});
+  };
+  race_ours("ours, fast", fast, median(build_seconds[0]));
+  race_ours("ours, best", best, median(build_seconds[2]));
   for (const LaneWidth width : lane_widths())
-    racers.push_back({"ours, width " + std::string(name_of(width)), built,
+    racers.push_back({"ours, width " + std::string(name_of(width)), median(build_seconds[1]),
                       [&accelerator, width](const RaySet& set, std::vector<int>& answers) {
                         const ForcedWidth forced(width);
                         trace_ours(accelerator, set, answers);
@@ -315,10 +335,14 @@ int race(const Subject& subject, int thousands, int runs) {
       std::printf("  %9.2f (%5d)", static_cast<double>(set.rays.size()) / median(seconds[i]) / 1e6, wrong[i]);
       if (i < own) wrong_of_ours += wrong[i];
     }
-    const TestCounts counts = trace_ours(accelerator, set, answers[0]);
-    const auto rays = static_cast<double>(set.rays.size());
-    std::printf("   %.1f nodes and %.1f triangles a ray\n", static_cast<double>(counts.nodes) / rays,
-                static_cast<double>(counts.primitives) / rays);
+    std::printf("   nodes and triangles a ray, fast, good and best:");
+    for (const Accelerator<float>* tree : {&fast, &accelerator, &best}) {
+      const TestCounts counts = trace_ours(*tree, set, answers[0]);
+      const auto rays = static_cast<double>(set.rays.size());
+      std::printf(" %.1f %.1f;", static_cast<double>(counts.nodes) / rays,
+                  static_cast<double>(counts.primitives) / rays);
+    }
+    std::printf("\n");
   }
   return wrong_of_ours;
 }
