@@ -73,26 +73,43 @@ void walk_squares(const Vec2d& a, const Vec2d& b, Piece piece) {
   }
 }
 
+/// The integral of S(u) s(v) dv along the way from a to b, where s is the square wave and S its integral. Between two
+/// lines of v it is s times the change of S's own integral, over du / dv.
+double integral_along(const Vec2d& a, const Vec2d& b) {
+  const Vec2d way = b - a;
+  if (way.y == 0) return 0;
+  const double slope = way.x / way.y;
+  constexpr double steep = 1e-5;  // along a line of u such a change would have lost its digits
+  double sum = 0;
+  if (std::abs(slope) < steep) {
+    // In each square S is linear and s constant, so a trapezium is exact.
+    walk_squares(a, b, [&](const Vec2d& from, const Vec2d& to) {
+      const double u = integral_of_square_wave(from.x) + integral_of_square_wave(to.x);
+      sum += u * (integral_of_square_wave(to.y) - integral_of_square_wave(from.y)) / 2;
+    });
+    return sum;
+  }
+  const double step = way.y > 0 ? 1 : -1;
+  double line = way.y > 0 ? whole_below(a.y) + 1 : -whole_below(-a.y) - 1;
+  double wave = square_wave(line - 0.5 * step);
+  sum = -wave * second_integral_of_square_wave(a.x);
+  for (; (b.y - line) * step > 0; line += step) {
+    sum += 2 * wave * second_integral_of_square_wave(a.x + slope * (line - a.y));
+    wave = -wave;
+  }
+  return (sum + wave * second_integral_of_square_wave(b.x)) / slope;
+}
+
 /// The integral of s(u) s(v) du dv over the parallelogram about `centre` with the sides p and q, by its border (Green):
-/// that of S(u) s(v) dv, counter-clockwise, where s is the square wave and S its integral. In each square S is linear
-/// and s constant, so a trapezium is exact.
+/// that of S(u) s(v) dv, counter-clockwise.
 double integral_over_parallelogram(const Vec2d& centre, const Vec2d& p, const Vec2d& q) {
   const Vec2d corner = centre - 0.5 * p - 0.5 * q;
-  Vec2d last(integral_of_square_wave(corner.x), integral_of_square_wave(corner.y));
-  double sum = 0;
-  const auto side = [&](const Vec2d& from, const Vec2d& to) {
-    walk_squares(from, to, [&](const Vec2d&, const Vec2d& next) {
-      const Vec2d now(integral_of_square_wave(next.x), integral_of_square_wave(next.y));
-      sum += 0.5 * (last.x + now.x) * (now.y - last.y);
-      last = now;
-    });
-  };
-  side(corner, corner + p);
-  side(corner + p, corner + p + q);
-  side(corner + p + q, corner + q);
-  side(corner + q, corner);
+  const double sum = integral_along(corner, corner + p) + integral_along(corner + p, corner + p + q) +
+                     integral_along(corner + p + q, corner + q) + integral_along(corner + q, corner);
   return cross(p, q) < 0 ? -sum : sum;
 }
+
+Vec2d exchanged(const Vec2d& uv) { return {uv.y, uv.x}; }
 
 /// The mean of s(u) s(v) over the way about `centre`.
 double mean_along(const Vec2d& centre, const Vec2d& way) {
@@ -132,7 +149,12 @@ T even_share(const Vec2<T>& uv, T size, const Footprint<T>& footprint) {
     const double area = std::abs(cross(p, q));
     constexpr double thin = 1e-7;  // so thin that it is a line, or its integral has lost its digits
     exact = area > thin * std::max(dot(longer, longer), 1e-3)
-                ? std::clamp(integral_over_parallelogram(place, p, q) / area, -1.0, 1.0)
+                // The pattern is the same if u and v are exchanged: with fewer lines of v there is less to add up.
+                ? std::clamp(
+                      (reach.y <= reach.x ? integral_over_parallelogram(place, p, q)
+                                          : integral_over_parallelogram(exchanged(place), exchanged(p), exchanged(q))) /
+                          area,
+                      -1.0, 1.0)
                 : mean_along(place, longer);
   }
   if (blend > 0) rectangle = mean_of_square_wave(place.x, reach.x) * mean_of_square_wave(place.y, reach.y);

@@ -3,10 +3,13 @@
 namespace raywalk::detail {
 
 template <class T>
-Kernel<T> filtering_kernel(const World<T>& world) {
-  const HitEffects set = hit_effects(world.effects, world.lights.size(), !world.bodies.empty());
-  const bool plain = !set.penumbra && !set.lobes && !set.nesting && !set.scattering && !set.sky && !set.microfacets;
-  return plain ? &run_kernel<T, plain_filtering> : &run_kernel<T, all_hit_effects>;
+Kernel<T> filtering_kernel([[maybe_unused]] const World<T>& world) {
+  if constexpr (!few_kernels) {
+    const HitEffects set = hit_effects(world.effects, world.lights.size(), !world.bodies.empty());
+    if (!set.penumbra && !set.lobes && !set.nesting && !set.scattering && !set.sky && !set.microfacets)
+      return set.reflection || set.refraction ? &run_kernel<T, plain_filtering> : &run_kernel<T, matt_filtering>;
+  }
+  return &run_kernel<T, all_hit_effects>;
 }
 
 template Kernel<float> filtering_kernel(const World<float>& world);

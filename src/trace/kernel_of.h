@@ -45,13 +45,25 @@ Statistics run_kernel(const World<T>& world, const RayGenerator<T>& camera, cons
   return run_tracer<Policy<T, NoObserver, Set>>(world, camera, block, put, no_observer);
 }
 
-/// Each set that a kernel is compiled for. There is no refraction without reflection (total internal reflection), nor
-/// lobes without it, nor nesting without refraction: seven sets; each with or without textures, and with shadows,
-/// shadows and penumbras, or neither: forty-two. One more leaves out shadow rays; one has a sky, which none of those
-/// has, nor scattering, which is for paths; one has metals and small mirrors too. Nesting is a set of its own: where
-/// nothing nests, a mere test at each hit would cost more than 0.1%. So would one for differentials: what filters has
-/// kernels apart, beside which those here stay as the compiler makes them without. Where there are to be few kernels,
-/// all have textures and shadows.
+/// What a kernel for these effects does besides: there is no refraction without reflection (total internal reflection),
+/// nor lobes without it, nor nesting without refraction, nor penumbras without shadows. Where there are to be few
+/// kernels, all have textures, penumbras and reflection, lobes come with refraction, and what refracts nests.
+[[nodiscard]] constexpr HitEffects widened(HitEffects set) {
+  if (few_kernels) {
+    set.textures = set.penumbra = set.reflection = true;
+    set.refraction = set.nesting = set.refraction || set.nesting || set.lobes;
+  }
+  set.refraction = set.refraction || set.nesting;
+  set.reflection = set.reflection || set.refraction || set.lobes;
+  set.shadows = set.shadows || set.penumbra;
+  return set;
+}
+
+/// Each set that a kernel is compiled for: seven ways to scatter, each with or without textures, and with shadows,
+/// shadows and penumbras, or neither: forty-two, or three. One more leaves out shadow rays; one has a sky, which none
+/// of those has, nor scattering, which is for paths; one has metals and small mirrors too. Nesting is a set of its own:
+/// where nothing nests, a mere test at each hit would cost more than 0.1%. So would one for differentials: what filters
+/// has kernels apart, beside which those here stay as the compiler makes them without.
 inline constexpr auto kernel_sets = [] {
   constexpr bool no = false, yes = true;
   struct Scattering {
@@ -65,16 +77,17 @@ inline constexpr auto kernel_sets = [] {
                                                    {yes, yes, no, yes},
                                                    {yes, yes, yes, yes}}};
   constexpr std::array<std::pair<bool, bool>, 3> lights{{{no, no}, {yes, no}, {yes, yes}}};  // shadows, penumbras
-  std::array<HitEffects, scatterings.size() * (few_kernels ? 2 : 2 * lights.size()) + 3> sets{};
+  std::array<HitEffects, few_kernels ? 5 : scatterings.size() * 2 * lights.size() + 3> sets{};
   std::size_t at = 0;
   for (const Scattering& to : scatterings)
     for (const auto& [shadows, penumbra] : lights)
-      for (const bool textures : {no, yes})
-        if (!few_kernels || (shadows && textures))
-          sets[at++] = {to.reflection, to.refraction, textures, penumbra, to.lobes, shadows,
-                        to.nesting,    yes,           no,       no,       no,       no};
+      for (const bool textures : {no, yes}) {
+        const HitEffects set{to.reflection, to.refraction, textures, penumbra, to.lobes, shadows,
+                             to.nesting,    yes,           no,       no,       no,       no};
+        if (set == widened(set)) sets[at++] = set;
+      }
   sets[at++] = no_occlusion;  // for looking, and need not be fast
-  sets[at++] = no_filtering_nor_facets;
+  if (!few_kernels) sets[at++] = no_filtering_nor_facets;
   sets[at] = no_filtering;
   return sets;
 }();
@@ -83,18 +96,15 @@ inline constexpr auto kernel_sets = [] {
 [[nodiscard]] constexpr std::size_t kernel_set_for(HitEffects set) {
   if (!set.occlusion) {
     set = no_occlusion;
-  } else if (set.microfacets) {
+  } else if (set.microfacets || (few_kernels && (set.sky || set.scattering))) {
     set = no_filtering;
   } else if (set.sky || set.scattering) {
     set = no_filtering_nor_facets;
   } else {
     set.filtering = false;
   }
-  set.refraction = set.refraction || set.nesting;
-  set.reflection = set.reflection || set.refraction || set.lobes;
-  set.shadows = set.shadows || set.penumbra || few_kernels;
-  set.textures = set.textures || few_kernels;
-  return static_cast<std::size_t>(std::find(kernel_sets.begin(), kernel_sets.end(), set) - kernel_sets.begin());
+  return static_cast<std::size_t>(std::find(kernel_sets.begin(), kernel_sets.end(), widened(set)) -
+                                  kernel_sets.begin());
 }
 static_assert(
     [] {

@@ -41,9 +41,14 @@ inline constexpr HitEffects all_hit_effects{};
 inline constexpr HitEffects no_occlusion{.occlusion = false};
 inline constexpr HitEffects no_filtering{.filtering = false};
 inline constexpr HitEffects no_filtering_nor_facets{.filtering = false, .microfacets = false};
-/// With sharp rays and sharp shadows alone: what most scenes have that filter.
+/// With sharp rays and sharp shadows alone: what most scenes have that filter; and without mirrors and glass.
 inline constexpr HitEffects plain_filtering{
     .penumbra = false, .lobes = false, .nesting = false, .scattering = false, .sky = false, .microfacets = false};
+inline constexpr HitEffects matt_filtering = [] {
+  HitEffects set = plain_filtering;
+  set.reflection = set.refraction = false;
+  return set;
+}();
 
 /// Where the program is to be small, as in a page, or sanitizers make it large, many scenes take kernels that have more
 /// than they call for: the same bits, a little later.

@@ -115,6 +115,8 @@ struct Footprint {
 template <class T, class Primitives, class Point>
 [[nodiscard]] Footprint<T> footprint(const RayDifferential<T>& ray, const Primitives& primitives, int primitive,
                                      const Point& point, int part, T time) {
+  if (const auto* plane = primitives.template plain<Plane<T>>(primitive))
+    return {uv_derivative(*plane, point, part, ray.x.dP), uv_derivative(*plane, point, part, ray.y.dP)};
   return {primitives.uv_derivative(primitive, point, part, time, ray.x.dP),
           primitives.uv_derivative(primitive, point, part, time, ray.y.dP)};
 }

@@ -85,7 +85,7 @@ class Tracer {
   struct Generation {
     int number = 0;
   };
-  /// The differential of a ray, or of one that has arrived at a hit; only in kernels that filter.
+  /// The differential of a ray that was spawned, or of any that has arrived at a hit; only in kernels that filter.
   struct Neighbours {
     RayDifferential<T> differential;
   };

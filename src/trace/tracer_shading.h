@@ -109,13 +109,14 @@ inline auto Tracer<Policy>::prepare(const TreeRay& ray, const Hit<T>& hit) -> Sh
   if constexpr (Policy::effects.penumbra) at.light_pairs = RandomPairs(light_key(ray));
   [[maybe_unused]] bool filtered = false;
   if constexpr (Policy::effects.filtering) {
-    if (world_.filters()) {
+    filtered = Policy::effects.textures && world_.filters(surface);
+    if (filtered || (Policy::effects.reflection && world_.filters())) {
+      const Vec3<T>& D = ray.ray.direction;
       RayDifferential<T>& arrived = at.neighbours.differential;
-      arrived = transfer(ray.neighbours.differential, ray.ray.direction, hit.t, point.normal);
-      if constexpr (Policy::effects.textures) {
-        filtered = world_.filters(surface);
+      arrived = ray.kind == RayKind::primary ? camera_.differential(D) : ray.neighbours.differential;
+      arrived = transfer(arrived, D, hit.t, point.normal);
+      if constexpr (Policy::effects.textures)
         if (filtered) at.tint.colour = filtered_pattern(world_, arrived, hit, point, ray.ray.time);
-      }
     }
   }
   if constexpr (Policy::effects.textures) {

@@ -73,9 +73,6 @@ template <class Policy>
 inline auto Tracer<Policy>::form_primary_ray(const Pixel& pixel) -> TreeRay {
   TreeRay primary{Ray{camera_.primary_ray(pixel, pixel_draws_, statistics_)}, RayKind::primary, Rgb<T>(1),
                   rays_formed_++};
-  if constexpr (Policy::effects.filtering) {
-    if (world_.filters()) primary.neighbours.differential = camera_.differential(primary.ray.direction);
-  }
   if constexpr (Policy::effects.nesting) {
     if (nested_.any_around_eye()) primary.in.medium = nested_.at_eye(primary.ray, statistics_.tests);
   }
