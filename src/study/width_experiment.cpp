@@ -10,7 +10,7 @@ namespace raywalk::study {
 
 namespace {
 
-constexpr int edge_of_picture = 24, edge_of_crumbs = 8;
+constexpr int edge_of_picture = 24;
 
 Material glowing() {
   Material material;
@@ -33,7 +33,7 @@ Subject halves(int round) {
 
 /// Four discs a pixel, each a quarter of it wide, one in each quarter.
 Subject crumbs(int round) {
-  constexpr int side = 2 * edge_of_crumbs;
+  constexpr int side = 2 * edge_of_picture;
   constexpr double quarter = 2.0 / side, radius = quarter / 4;
   Subject made = edge_subject();
   made.name = "crumbs", made.only_edges = false;
@@ -118,9 +118,7 @@ Experiment width_experiment(Effort effort) {
           if (cones && n > 16) continue;
           Subject subject = subject_of(static_cast<int>(which), round);
           if (cones) subject.scene.render.integrator = Integrator::cones;
-          // Cones ask every object: fewer pixels, and fewer crumbs, tell as much.
-          const int edge = which == 2 ? edge_of_crumbs : edge_of_picture;
-          const Shot shot = shoot(subject.scene, {edge, edge}, {n, seed_of(round)});
+          const Shot shot = shoot(subject.scene, {edge_of_picture, edge_of_picture}, {n, seed_of(round)});
           double squares = 0, sum = 0;
           int count = 0;
           for_each_pixel(subject, shot.film, [&](double shown, double truth) {

@@ -257,8 +257,8 @@ void cover(std::vector<ConePart>& parts, const ConeFaces& body, const RayCone& c
 // ---- All together
 
 /// t of a ray of the cone to the object of a part, taken as endless.
-double reach(std::span<const ConeBody> bodies, const RayCone& cone, const ConePart& part, const Vec2d& place) {
-  const ConeBody& body = bodies[static_cast<std::size_t>(part.body)];
+double reach(const ConeBodies& bodies, const RayCone& cone, const ConePart& part, const Vec2d& place) {
+  const ConeBody& body = bodies[part.body];
   return std::visit(
       Overloaded{
           [&](const ConeBall& ball) { return reach_ball(cone, ball, place, part.inside).value_or(part.t); },
@@ -279,7 +279,7 @@ struct Cover {
 };
 
 /// Whether one is before the other: along a ray in the middle of the smaller one, for the larger one is there, too.
-bool is_before(std::span<const ConeBody> bodies, const RayCone& cone, const ConePart& one, const ConePart& other) {
+bool is_before(const ConeBodies& bodies, const RayCone& cone, const ConePart& one, const ConePart& other) {
   const bool one_is_smaller = one.cover <= other.cover;
   const ConePart &small = one_is_smaller ? one : other, &large = one_is_smaller ? other : one;
   const double behind = reach(bodies, cone, large, small.place);
@@ -295,10 +295,12 @@ const ConePart& largest(const std::vector<ConePart>& parts, const Cover& group) 
 
 }  // namespace
 
-std::vector<ConePart> meet_cone(std::span<const ConeBody> bodies, const RayCone& cone, const ConeLeaves& leaves,
-                                double depth) {
+std::vector<ConePart> meet_cone(const ConeBodies& bodies, const RayCone& cone, const ConeLeaves& leaves, double depth,
+                                TestCounts& counts) {
   std::vector<ConePart> parts;
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
+  const std::vector<int> near = bodies.near(cone, depth);
+  counts.primitives += near.size();
+  for (const int i : near) {
     const bool left = bodies[i].object == leaves.object;
     const std::size_t first = parts.size();
     std::visit(Overloaded{
@@ -309,15 +311,16 @@ std::vector<ConePart> meet_cone(std::span<const ConeBody> bodies, const RayCone&
                bodies[i].shape);
     std::erase_if(parts, [&](const ConePart& part) { return part.body < 0 && part.t >= depth; });
     for (std::size_t k = first; k < parts.size(); ++k) {
-      parts[k].body = static_cast<int>(i);
+      parts[k].body = i;
       parts[k].size = size_of(parts[k].cover, cone.flat);
     }
   }
   return parts;
 }
 
-std::vector<ConePart> cover_cone(std::span<const ConeBody> bodies, const RayCone& cone, const ConeLeaves& leaves) {
-  std::vector<ConePart> parts = meet_cone(bodies, cone, leaves, infinity<double>);
+std::vector<ConePart> cover_cone(const ConeBodies& bodies, const RayCone& cone, const ConeLeaves& leaves,
+                                 TestCounts& counts) {
+  std::vector<ConePart> parts = meet_cone(bodies, cone, leaves, infinity<double>, counts);
   std::vector<Cover> groups;
   for (std::size_t first = 0; first < parts.size();) {
     Cover group{first, first};
@@ -349,107 +352,6 @@ std::vector<ConePart> cover_cone(std::span<const ConeBody> bodies, const RayCone
     seen.push_back(rest);
   }
   return seen;
-}
-
-namespace {
-
-ConeFace face_of(std::vector<Vec3d> corners, const Vec3d& normal, int part) {
-  return {{std::move(corners)}, normalize(normal), part};
-}
-
-ConeFaces faces_of(const Box<double>& box, bool flat) {
-  ConeFaces faces{{}, true};
-  for (int axis = 0; axis < (flat ? 2 : 3); ++axis) {
-    const int next = (axis + 1) % 3, other = (axis + 2) % 3;
-    for (const bool high : {false, true}) {
-      Vec3d normal{0.0};
-      normal[axis] = high ? 1 : -1;
-      const auto corner = [&](bool a, bool b) {
-        Vec3d at;
-        at[axis] = high ? box.max[axis] : box.min[axis];
-        at[next] = a ? box.max[next] : box.min[next];
-        at[other] = b ? box.max[other] : box.min[other];
-        if (flat) at.z = 0;
-        return at;
-      };
-      std::vector<Vec3d> corners{corner(false, false), corner(true, false), corner(true, true), corner(false, true)};
-      if (flat) corners = axis == 0 ? std::vector{corners[0], corners[1]} : std::vector{corners[0], corners[3]};
-      faces.faces.push_back(face_of(std::move(corners), normal, 2 * axis + (high ? 1 : 0)));
-    }
-  }
-  return faces;
-}
-
-ConeFaces faces_of(const Prism<double>& prism, bool flat) {
-  ConeFaces faces{{}, true};
-  const double half = prism.height / 2, turn = prism.twice_signed_area() < 0 ? -1 : 1;
-  std::vector<Vec3d> top, bottom;
-  for (int side = 0; side < prism.sides(); ++side) {
-    const Vec2d from = prism.corner(side), to = prism.corner_after(side), edge = to - from;
-    const Vec3d normal = turn * Vec3d(edge.y, -edge.x, 0);
-    if (flat)
-      faces.faces.push_back(face_of({Vec3d(from, 0), Vec3d(to, 0)}, normal, side));
-    else
-      faces.faces.push_back(
-          face_of({Vec3d(from, -half), Vec3d(to, -half), Vec3d(to, half), Vec3d(from, half)}, normal, side));
-    top.push_back({from, half});
-    bottom.push_back({from, -half});
-  }
-  if (flat) return faces;
-  faces.faces.push_back(face_of(std::move(top), {0, 0, 1}, prism.top()));
-  faces.faces.push_back(face_of(std::move(bottom), {0, 0, -1}, prism.bottom()));
-  return faces;
-}
-
-ConeFaces faces_of(const Polygon<double>& polygon) {
-  ConeFace face = face_of(polygon.outline, polygon.area_vector(), 0);
-  for (const auto& hole : polygon.holes) face.loops.push_back(hole);
-  return {{std::move(face)}, false};
-}
-
-ConeFaces faces_of(const Triangle<double>& triangle) {
-  return {{face_of({triangle.a, triangle.b, triangle.c}, cross(triangle.b - triangle.a, triangle.c - triangle.a), 0)},
-          false};
-}
-
-ConeFaces faces_of(const Disk<double>& disk) {
-  constexpr int corners = 64;
-  const Vec3d normal = normalize(disk.normal);
-  const RayCone about = cone_about(disk.centre, normal, 1, 0, false);
-  const double step = 2 * std::numbers::pi / corners;
-  const double radius = disk.radius * std::sqrt(step / portable::sin(step));
-  std::vector<Vec3d> outline;
-  for (int i = 0; i < corners; ++i) {
-    const auto [sin, cos] = portable::sin_cos(i * step);
-    outline.push_back(disk.centre + radius * about.across({cos, sin}));
-  }
-  return {{face_of(std::move(outline), normal, 0)}, false};
-}
-
-}  // namespace
-
-std::vector<ConeBody> cone_bodies_of(const Scene& scene, bool flat) {
-  std::vector<ConeBody> bodies;
-  for (int index = 0; index < static_cast<int>(scene.objects.size()); ++index) {
-    const Object& object = scene.objects[static_cast<std::size_t>(index)];
-    const Bounds<double> box = bounds(object.shape);
-    if (flat && !(box.min.z <= 0 && 0 <= box.max.z)) continue;
-    const auto add = [&](auto shape) { bodies.push_back({std::move(shape), index}); };
-    std::visit(Overloaded{
-                   [&](const Sphere<double>& sphere) { add(ConeBall{sphere.centre, sphere.radius}); },
-                   [&](const Plane<double>& plane) {
-                     if (!flat || !is_level(plane)) add(ConeWall{plane.point, normalize(plane.normal)});
-                   },
-                   [&](const Box<double>& its) { add(faces_of(its, flat)); },
-                   [&](const Prism<double>& prism) { add(faces_of(prism, flat)); },
-                   [&](const Polygon<double>& polygon) { add(faces_of(polygon)); },
-                   [&](const Triangle<double>& triangle) { add(faces_of(triangle)); },
-                   [&](const Disk<double>& disk) { add(faces_of(disk)); },
-                   [](const auto&) {},
-               },
-               static_cast<const ObjectShape::Kinds&>(object.shape));
-  }
-  return bodies;
 }
 
 }  // namespace raywalk

@@ -7,43 +7,15 @@
 // covered rays at random. That is exact for one object before another that fills the cone. Where two share an edge it
 // is not: of two halves that meet in the middle of a cone, the first gets 1/2, the second 1/4, and 1/4 sees through.
 // The faces of one convex solid never hide each other; their shares are added. A sphere seen aslant is an ellipse, and
-// is taken as the disc that has its extent in the direction away from the axis. A disc is taken as a polygon of 64
-// corners, of the same area.
+// is taken as the disc that has its extent in the direction away from the axis.
 
-#include "scene/scene.h"
+#include "accel/query.h"
+#include "trace/cone_bodies.h"
 #include "trace/ray_cone.h"
 
-#include <span>
-#include <variant>
 #include <vector>
 
 namespace raywalk {
-
-struct ConeBall {
-  Vec3d centre;
-  double radius;
-};
-struct ConeWall {
-  Vec3d point, normal;  ///< of unit length
-};
-/// In a flat world one loop of two corners.
-struct ConeFace {
-  std::vector<std::vector<Vec3d>> loops;  ///< the outline, and holes
-  Vec3d normal;                           ///< of unit length, outward
-  int part;                               ///< of the shape's intersections
-};
-struct ConeFaces {
-  std::vector<ConeFace> faces;
-  bool closed;  ///< of a convex solid
-};
-/// An object as a cone meets it.
-struct ConeBody {
-  std::variant<ConeBall, ConeWall, ConeFaces> shape;
-  int object;  ///< index in Scene::objects
-};
-
-/// All of a scene that has no reason against cones (scene/cone_limits.h); of a flat world, those that meet the plan.
-[[nodiscard]] std::vector<ConeBody> cone_bodies_of(const Scene& scene, bool flat);
 
 /// A part of a cone, covered by one object, or by one face of it.
 struct ConePart {
@@ -63,13 +35,13 @@ struct ConeLeaves {
 };
 
 /// What covers a cone, each object by itself and in their order, as far as `depth` along the axis: only `cover` is
-/// known, and not what hides what. The faces of one object follow each other.
-[[nodiscard]] std::vector<ConePart> meet_cone(std::span<const ConeBody> bodies, const RayCone& cone,
-                                              const ConeLeaves& leaves, double depth);
+/// known, and not what hides what. The faces of one object follow each other. Counts those asked.
+[[nodiscard]] std::vector<ConePart> meet_cone(const ConeBodies& bodies, const RayCone& cone, const ConeLeaves& leaves,
+                                              double depth, TestCounts& counts);
 
 /// The parts of a cone, front to back; their shares and what is left add up to 1. What is left is the last part, if
 /// there is any.
-[[nodiscard]] std::vector<ConePart> cover_cone(std::span<const ConeBody> bodies, const RayCone& cone,
-                                               const ConeLeaves& leaves);
+[[nodiscard]] std::vector<ConePart> cover_cone(const ConeBodies& bodies, const RayCone& cone, const ConeLeaves& leaves,
+                                               TestCounts& counts);
 
 }  // namespace raywalk

@@ -7,7 +7,7 @@
 
 namespace raywalk {
 
-double detail::far_from(const Vec3d& eye, const std::vector<ConeBody>& bodies) {
+double detail::far_from(const Vec3d& eye, const ConeBodies& bodies) {
   double far = 1;
   const auto reach = [&](const Vec3d& point, double beyond = 0) { far = std::max(far, length(point - eye) + beyond); };
   for (const ConeBody& body : bodies)
@@ -26,7 +26,7 @@ double detail::far_from(const Vec3d& eye, const std::vector<ConeBody>& bodies) {
 namespace {
 
 template <class T, class Watcher>
-Statistics run(const World<T>& world, const std::vector<ConeBody>& bodies, bool flat, const RayGenerator<T>& camera,
+Statistics run(const World<T>& world, const ConeBodies& bodies, bool flat, const RayGenerator<T>& camera,
                const PixelBlock& block, const PutPixel<T>& put, Watcher& observer) {
   ConeTracer<T, Watcher> tracer(world, bodies, flat, camera, observer, block.stop);
   tracer.main_algorithm(block, put);
@@ -36,28 +36,26 @@ Statistics run(const World<T>& world, const std::vector<ConeBody>& bodies, bool 
 }  // namespace
 
 template <class T>
-Statistics trace_cones(const World<T>& world, const std::vector<ConeBody>& bodies, bool flat,
-                       const RayGenerator<T>& camera, const PixelBlock& block, const PutPixel<T>& put) {
+Statistics trace_cones(const World<T>& world, const ConeBodies& bodies, bool flat, const RayGenerator<T>& camera,
+                       const PixelBlock& block, const PutPixel<T>& put) {
   NoObserver no_observer;
   return run(world, bodies, flat, camera, block, put, no_observer);
 }
 
 template <class T>
-Statistics trace_cones_watched(const World<T>& world, const std::vector<ConeBody>& bodies, bool flat,
+Statistics trace_cones_watched(const World<T>& world, const ConeBodies& bodies, bool flat,
                                const RayGenerator<T>& camera, const PixelBlock& block, const PutPixel<T>& put,
                                Observer& observer) {
   return run(world, bodies, flat, camera, block, put, observer);
 }
 
-template Statistics trace_cones(const World<float>&, const std::vector<ConeBody>&, bool, const RayGenerator<float>&,
+template Statistics trace_cones(const World<float>&, const ConeBodies&, bool, const RayGenerator<float>&,
                                 const PixelBlock&, const PutPixel<float>&);
-template Statistics trace_cones(const World<double>&, const std::vector<ConeBody>&, bool, const RayGenerator<double>&,
+template Statistics trace_cones(const World<double>&, const ConeBodies&, bool, const RayGenerator<double>&,
                                 const PixelBlock&, const PutPixel<double>&);
-template Statistics trace_cones_watched(const World<float>&, const std::vector<ConeBody>&, bool,
-                                        const RayGenerator<float>&, const PixelBlock&, const PutPixel<float>&,
-                                        Observer&);
-template Statistics trace_cones_watched(const World<double>&, const std::vector<ConeBody>&, bool,
-                                        const RayGenerator<double>&, const PixelBlock&, const PutPixel<double>&,
-                                        Observer&);
+template Statistics trace_cones_watched(const World<float>&, const ConeBodies&, bool, const RayGenerator<float>&,
+                                        const PixelBlock&, const PutPixel<float>&, Observer&);
+template Statistics trace_cones_watched(const World<double>&, const ConeBodies&, bool, const RayGenerator<double>&,
+                                        const PixelBlock&, const PutPixel<double>&, Observer&);
 
 }  // namespace raywalk

@@ -74,9 +74,9 @@ Rgb<T> ConeTracer<T, Watcher>::find_uncovered(int depth, const Part& part, const
   Rgb<T> uncovered{1};
   std::optional<ConePart> most;
   if (world_.occludes) {
-    statistics_.tests.primitives += bodies_.size();
     const double far = light.is_distant ? infinity<double> : length(Vec3d(shadow.to_light));
-    const std::vector<ConePart> blockers = meet_cone(bodies_, shadow.cone, {part.object, part.part}, far);
+    const std::vector<ConePart> blockers =
+        meet_cone(bodies_, shadow.cone, {part.object, part.part}, far, statistics_.tests);
     for (std::size_t first = 0; first < blockers.size();) {
       double cover = 0;
       std::size_t last = first, widest = first;
@@ -97,7 +97,7 @@ Rgb<T> ConeTracer<T, Watcher>::find_uncovered(int depth, const Part& part, const
     found.transmittance = Rgbd(uncovered);
     if (blocked && most) {
       found.t = most->t / length(Vec3d(shadow.to_light));
-      found.object = bodies_[static_cast<std::size_t>(most->body)].object;
+      found.object = bodies_[most->body].object;
       found.part = most->part;
       found.point = shadow.cone.start(most->place) + most->t * shadow.cone.direction(most->place);
       found.normal = -shadow.cone.axis;
@@ -111,7 +111,7 @@ Rgb<T> ConeTracer<T, Watcher>::find_uncovered(int depth, const Part& part, const
 template <class T, class Watcher>
 Rgb<T> ConeTracer<T, Watcher>::transmittance_of(const ConePart& blocker, const Part& part, const Shadow& shadow,
                                                 const Light& light) {
-  const int object = bodies_[static_cast<std::size_t>(blocker.body)].object;
+  const int object = bodies_[blocker.body].object;
   const int primitive = primitives_[static_cast<std::size_t>(object)];
   if (world_.shadow_roles.empty() || world_.shadow_roles[static_cast<std::size_t>(primitive)] != ShadowRole::filters)
     return Rgb<T>(0);

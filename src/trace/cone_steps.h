@@ -15,7 +15,7 @@ namespace raywalk {
 namespace detail {
 
 /// Farther from the eye than everything that has an end.
-[[nodiscard]] double far_from(const Vec3d& eye, const std::vector<ConeBody>& bodies);
+[[nodiscard]] double far_from(const Vec3d& eye, const ConeBodies& bodies);
 
 /// How far a cone reaches in a pattern: as a square of its area, for those materials that filter it.
 template <class T>
@@ -47,7 +47,7 @@ class ConeDifferential {
 }  // namespace detail
 
 template <class T, class Watcher>
-ConeTracer<T, Watcher>::ConeTracer(const World<T>& world, const std::vector<ConeBody>& bodies, bool flat,
+ConeTracer<T, Watcher>::ConeTracer(const World<T>& world, const ConeBodies& bodies, bool flat,
                                    const RayGenerator<T>& camera, Observer& observer, const Stop& stop)
     : world_(world),
       bodies_(bodies),
@@ -99,9 +99,8 @@ auto ConeTracer<T, Watcher>::form_cone(const Pixel& pixel) -> Cone {
 template <class T, class Watcher>
 auto ConeTracer<T, Watcher>::find_cover(Line line, int depth, const Cone& cone) -> std::vector<Part> {
   stop_.check();
-  statistics_.tests.primitives += bodies_.size();
   std::vector<Part> parts;
-  for (const ConePart& piece : cover_cone(bodies_, cone.shape, cone.leaves)) {
+  for (const ConePart& piece : cover_cone(bodies_, cone.shape, cone.leaves, statistics_.tests)) {
     Part part;
     static_cast<ConePart&>(part) = piece;
     part.number = rays_formed_++;
@@ -137,7 +136,7 @@ void ConeTracer<T, Watcher>::meet(Part& part, const Cone& cone) {
   if (part.body < 0) return;
   const RayCone narrow = part_of_cone(cone.shape, part.place, part.size);
   part.width = turned_out({narrow.radius_at(part.t * size), narrow.spread});
-  part.object = bodies_[static_cast<std::size_t>(part.body)].object;
+  part.object = bodies_[part.body].object;
   const Hit<T> hit{static_cast<T>(part.t * size), primitives_[static_cast<std::size_t>(part.object)], part.part};
   const detail::MiddleOfPart<T> middle{part.ray, part.number, cone.medium};
   detail::ConeDifferential<T> differential(world_, part.width);
@@ -214,7 +213,7 @@ bool ConeTracer<T, Watcher>::decide_transparent(int depth, const Part& part) {
 /// Of spheres alone: 1 / radius, towards the cone.
 template <class T, class Watcher>
 double ConeTracer<T, Watcher>::curvature_at(const Part& part) const {
-  const auto* ball = std::get_if<ConeBall>(&bodies_[static_cast<std::size_t>(part.body)].shape);
+  const auto* ball = std::get_if<ConeBall>(&bodies_[part.body].shape);
   return ball == nullptr ? 0 : (part.at->entering ? 1 : -1) / ball->radius;
 }
 

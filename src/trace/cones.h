@@ -28,7 +28,7 @@ class ConeTracer {
   using Observer = Watcher;
 
   /// `bodies`: of the world's scene; `flat`: in a flat world, of a planar scene's strip. All outlive this.
-  ConeTracer(const World<T>& world, const std::vector<ConeBody>& bodies, bool flat, const RayGenerator<T>& camera,
+  ConeTracer(const World<T>& world, const ConeBodies& bodies, bool flat, const RayGenerator<T>& camera,
              Observer& observer, const Stop& stop = {});
 
   /// CONE TRACING. `pixels` yields Pixel; `put(pixel, shade)` receives each final shade.
@@ -167,7 +167,7 @@ class ConeTracer {
   }
 
   const World<T>& world_;
-  const std::vector<ConeBody>& bodies_;
+  const ConeBodies& bodies_;
   bool flat_;
   const RayGenerator<T>& camera_;
   Observer& observer_;

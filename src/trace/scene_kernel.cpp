@@ -2,6 +2,7 @@
 
 #include "scene/cone_limits.h"
 #include "trace/cone_kernel.h"
+#include "trace/cone_scene.h"
 
 namespace raywalk {
 

@@ -69,7 +69,7 @@ class SceneKernel {
   };
   std::unique_ptr<Radiosity> radiosity_;
   struct Cones {
-    std::vector<ConeBody> bodies;
+    ConeBodies bodies;
     bool flat;
   };
   std::unique_ptr<const Cones> cones_;

@@ -4,6 +4,7 @@
 
 #include "math/random.h"
 #include "scene/cone_limits.h"
+#include "trace/cone_scene.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +36,8 @@ RayCone along_x(double radius, double spread, bool flat) {
 
 double covered(const Scene& scene, const RayCone& cone, double depth = infinity<double>) {
   double sum = 0;
-  for (const ConePart& part : meet_cone(cone_bodies_of(scene, cone.flat), cone, {}, depth)) {
+  TestCounts counts;
+  for (const ConePart& part : meet_cone(cone_bodies_of(scene, cone.flat), cone, {}, depth, counts)) {
     CHECK(std::isfinite(part.t + part.place.x + part.place.y));
     sum += part.cover;
   }
@@ -151,23 +153,25 @@ TEST_CASE("parts of a cone add up to it, whatever is in the way: hard cases") {
                    {"Through eye", Plane<double>{{0, 0, 0}, {0, 1, 0}}, Material{}},
                    {"Corner", Prism<double>{{{0, 0}, {2, 1}, {2, 2}}, 2}, Material{}},
                    {"Floor", Plane<double>{{0, 0, -1}, {0, 0, 1}}, Material{}}};
+  TestCounts counts;
   for (const bool flat : {false, true}) {
-    const std::vector<ConeBody> all = cone_bodies_of(scene, flat);
+    const ConeBodies all = cone_bodies_of(scene, flat);
     for (unsigned set = 1; set < 1U << all.size(); ++set) {
       std::vector<ConeBody> bodies;
       for (std::size_t i = 0; i < all.size(); ++i)
-        if (set >> i & 1U) bodies.push_back(all[i]);
+        if (set >> i & 1U) bodies.push_back(all[static_cast<int>(i)]);
       for (const double radius : {0.0, 0.2})
         for (const double spread : {-0.1, 0.0, 0.05, 4.0}) {
           if (radius == 0 && spread <= 0) continue;
           const RayCone cone = along_x(radius, spread, flat);
-          CHECK(sum_of_shares(cover_cone(bodies, cone, {})) == Approx(1).epsilon(1e-12));
+          CHECK(sum_of_shares(cover_cone(ConeBodies(bodies), cone, {}, counts)) == Approx(1).epsilon(1e-12));
         }
     }
   }
 }
 
 TEST_CASE("random cones among random things: no NaN, no share outside 0..1, the sum is 1") {
+  TestCounts counts;
   for (int number = 0; number < 400; ++number) {
     std::uint32_t dimension = 0;
     const auto next = [&] { return 4 * unit(number, dimension++) - 2; };
@@ -191,7 +195,7 @@ TEST_CASE("random cones among random things: no NaN, no share outside 0..1, the 
     const RayCone cone =
         cone_about(origin, normalize(axis), number % 3 == 0 ? 0 : 0.2, number % 3 == 0 ? 0.2 : next() / 8, flat);
     CAPTURE(number);
-    CHECK(sum_of_shares(cover_cone(cone_bodies_of(scene, flat), cone, {})) == Approx(1).epsilon(1e-12));
+    CHECK(sum_of_shares(cover_cone(cone_bodies_of(scene, flat), cone, {}, counts)) == Approx(1).epsilon(1e-12));
   }
 }
 
@@ -202,8 +206,9 @@ TEST_CASE("what is in front is first, along the rays that both cover") {
                    {"Behind", Sphere<double>{{20, 0, -0.5}, 9}, Material{}}};
   // Towards the place where the ball stands on the floor: the floor before it is nearer than the ball.
   const RayCone cone = cone_about({0, 0, 0}, normalize(Vec3d(9.7, 0, -0.95)), 0, 0.02, false);
-  const std::vector<ConeBody> bodies = cone_bodies_of(scene, false);
-  const std::vector<ConePart> parts = cover_cone(bodies, cone, {});
+  const ConeBodies bodies = cone_bodies_of(scene, false);
+  TestCounts counts;
+  const std::vector<ConePart> parts = cover_cone(bodies, cone, {}, counts);
   REQUIRE(parts.size() >= 2);
   CHECK(parts[0].body == 1);
   CHECK(parts[0].share > 0);
