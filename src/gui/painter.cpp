@@ -99,7 +99,21 @@ class ListPainter {
         place.x -= extent.x;
         break;
     }
-    draw_.AddText(font, size, {std::round(place.x), std::round(place.y)}, to_imgui(item.colour), item.text.data(), end);
+    const ImVec2 upright{std::round(place.x), std::round(place.y)};
+    const auto letters = [&](ImVec2 by, Colour with) {
+      draw_.AddText(font, size, {upright.x + by.x, upright.y + by.y}, to_imgui(with), item.text.data(), end);
+    };
+    if (item.halo) {
+      // Copies all around, near and far enough that there is no gap between them.
+      const double thick = std::max(0.12 * static_cast<double>(size), 1.0);
+      for (const double far : {0.5, 1.0})
+        for (int i = 0; i < 12; ++i) {
+          const double turn = 2 * pi * i / 12;
+          letters({static_cast<float>(far * thick * std::cos(turn)), static_cast<float>(far * thick * std::sin(turn))},
+                  *item.halo);
+        }
+    }
+    letters({0, 0}, item.colour);
   }
 
  private:

@@ -81,10 +81,10 @@ TEST_CASE("ghosts are drawn once their stub stands, and only when asked for") {
   int pixel = -1;
   do to_end_of_pixel(state, ++pixel);
   while (state.walk.ghosts->rays.empty());
-  CHECK(drawn_for_ghosts(state) > 2);
+  CHECK(drawn_for_ghosts(state) > 1);
   const int stub = state.walk.ghosts->rays.front().stub;
   update(state, action::Jump{state.walk.timeline->rays()[static_cast<std::size_t>(stub)].formed_at - 1});
-  CHECK(drawn_for_ghosts(state) == 2);  // the line below, on its plate, and nothing else
+  CHECK(drawn_for_ghosts(state) == 1);  // the line below, and nothing else
   CHECK(state.walk.ghosts != nullptr);
   to_end_of_pixel(state, pixel);
   update(state, action::ShowGhosts{false});

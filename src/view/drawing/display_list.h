@@ -108,6 +108,7 @@ struct TextItem {
   double size;       ///< height of a line in pixels
   Colour colour;
   TextAnchor anchor = TextAnchor::start;
+  std::optional<Colour> halo{};  ///< around each letter, so that it is read across what lies below
   friend bool operator==(const TextItem&, const TextItem&) = default;
 };
 

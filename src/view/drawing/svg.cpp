@@ -88,8 +88,11 @@ struct Element {
     }();
     // The line height is 1.25 times the letters; their middle is a third above the baseline.
     const double letters = item.size / 1.25;
-    return fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"{}\"{}>{}</text>", number(item.at.x),
-                       number(item.at.y + 0.35 * letters), number(letters), anchor, fill_of(item.colour),
+    const std::string halo =
+        item.halo ? " paint-order=\"stroke\" stroke-linejoin=\"round\"" + stroke_of(Stroke{*item.halo, 0.3 * letters})
+                  : "";
+    return fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"{}\"{}{}>{}</text>", number(item.at.x),
+                       number(item.at.y + 0.35 * letters), number(letters), anchor, fill_of(item.colour), halo,
                        escaped(item.text));
   }
 };

@@ -344,11 +344,8 @@ void Drawing::label(const Vec2d& at, double clear, const std::string& words) {
       best = middle, least = covered;
     }
   const PixelRect box{*best - half, *best + half};
-  painter_.add(PolygonItem{{box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}},
-                           painter_.colours.plan.with_alpha(165),
-                           std::nullopt});
   painter_.kept_free.push_back(box);
-  draw_letters(painter_, *best, letters, painter_.colours.text);
+  draw_letters(painter_, *best, letters, painter_.colours.text, painter_.halo());
 }
 
 /// The scale bar, in the lower left corner.

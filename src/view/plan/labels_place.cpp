@@ -395,13 +395,14 @@ std::vector<NameLines> letterings(const std::string& text, double size) {
   return all;
 }
 
-void draw_letters(Painter& painter, const Vec2d& middle, const NameLines& letters, Colour colour) {
+void draw_letters(Painter& painter, const Vec2d& middle, const NameLines& letters, Colour colour,
+                  std::optional<Colour> halo) {
   const double size = painter.sizes.text;
   const auto count = static_cast<double>(letters.lines.size());
   double line = 0;
   for (const std::string& words : letters.lines)
     painter.add(
-        TextItem{middle + Vec2d(0, (line++ - (count - 1) / 2) * size), words, size, colour, TextAnchor::middle});
+        TextItem{middle + Vec2d(0, (line++ - (count - 1) / 2) * size), words, size, colour, TextAnchor::middle, halo});
 }
 
 std::vector<DrawnBody> drawn_bodies(const DisplayList& list) {

@@ -38,7 +38,8 @@ struct NameLines {
 
 /// The name in one line, and in two if it has a space to break at.
 [[nodiscard]] std::vector<NameLines> letterings(const std::string& text, double size);
-void draw_letters(Painter& painter, const Vec2d& middle, const NameLines& letters, Colour colour);
+void draw_letters(Painter& painter, const Vec2d& middle, const NameLines& letters, Colour colour,
+                  std::optional<Colour> halo = {});
 
 struct LabelPlace {
   Vec2d at{0.0};  ///< its middle

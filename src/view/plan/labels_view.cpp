@@ -141,6 +141,7 @@ void draw_labels(Painter& painter) {
   struct Shown {
     const LabelPlace& place;
     Colour colour;
+    std::optional<Colour> halo;  ///< beside its body, where rays cross it
   };
   std::vector<Shown> shown;
   for (std::size_t i = 0; i < things.size(); ++i) {
@@ -149,7 +150,8 @@ void draw_labels(Painter& painter) {
     const PixelRect box = place.box();
     painter.kept_free.push_back({box.min - gap / 2, box.max + gap / 2});
     const std::optional<Colour> readable = place.on_body ? readable_on(painter, bodies, box) : std::nullopt;
-    shown.push_back({place, readable.value_or(painter.colours.text)});
+    shown.push_back(
+        {place, readable.value_or(painter.colours.text), readable ? std::nullopt : std::optional(painter.halo())});
     if (readable) continue;
     if (place.leader) {
       const auto [from, to] = *place.leader;
@@ -157,16 +159,9 @@ void draw_labels(Painter& painter) {
       // Into a body; it ends beside a symbol.
       if (things[i].body) painter.add(CircleItem{to, 1.8 * painter.sizes.unit, painter.colours.text, std::nullopt});
     }
-    // A plate that keeps the letters readable across rays.
-    painter.add(PolygonItem{{{box.min.x - gap, box.min.y},
-                             {box.max.x + gap, box.min.y},
-                             {box.max.x + gap, box.max.y},
-                             {box.min.x - gap, box.max.y}},
-                            painter.colours.plan.with_alpha(170),
-                            std::nullopt});
   }
-  // Above the plates of all.
-  for (const Shown& each : shown) draw_letters(painter, each.place.at, each.place.letters, each.colour);
+  // Above the leaders of all.
+  for (const Shown& each : shown) draw_letters(painter, each.place.at, each.place.letters, each.colour, each.halo);
 }
 
 }  // namespace raywalk

@@ -229,10 +229,7 @@ double Painter::room_along(const Vec2d& from, const Vec2d& along) const {
 void Painter::note(const Vec2d& at, const std::string& text) {
   const double size = sizes.text;
   const Vec2d half = half_of_note(text, size);
-  add(PolygonItem{{at - half, {at.x + half.x, at.y - half.y}, at + half, {at.x - half.x, at.y + half.y}},
-                  colours.plan.with_alpha(165),
-                  std::nullopt});
-  add(TextItem{at, text, size, colours.text, TextAnchor::middle});
+  add(TextItem{at, text, size, colours.text, TextAnchor::middle, halo()});
   kept_free.push_back({at - half, at + half});
 }
 

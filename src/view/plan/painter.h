@@ -45,6 +45,8 @@ class Painter {
   [[nodiscard]] double pixels(double scene_units) const { return scene_units * state.plan.camera.pixels_per_unit; }
   [[nodiscard]] PixelRect pane() const { return {Vec2d(0.0), {viewport.width, viewport.height}}; }
   [[nodiscard]] Stroke stroke(Colour colour, double width = 1) const { return {colour, width * sizes.line}; }
+  /// Of letters that rays may cross.
+  [[nodiscard]] Colour halo() const { return colours.plan.with_alpha(200); }
   [[nodiscard]] DashPattern scaled(DashPattern dash) const;
   /// Outline of something that can be selected and pointed at.
   [[nodiscard]] Stroke outline(const Target& target, Colour colour, double width = 1) const;
