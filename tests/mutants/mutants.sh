@@ -119,6 +119,9 @@ mutant triangles_ruled_out_without_error accel accel/lane_tests.h 'all_of(4) * a
 mutant triangles_beyond_too_early accel accel/lane_tests.h 'nearest - (farthest - nearest) > ' 'nearest + nearest > '
 mutant triangles_behind_too_early accel accel/lane_tests.h '(at < -slack)' '(at < slack)'
 mutant triangles_beyond_without_slack accel accel/lane_tests.h 'at - slack > reach * wide' 'at + slack > reach * area'
+mutant split_triangles_cross_elsewhere splits accel/spatial_split.cpp 'a + (plane - a[axis]) /' 'a + 0.9 * (plane - a[axis]) /'
+mutant split_triangles_on_one_side_only splits accel/spatial_split.cpp 'sides.right_items.push_back(each.right);' ''
+mutant split_triangles_beyond_the_plane splits accel/spatial_split.cpp '-infinity<float>, plane.at);' '-infinity<float>, plane.at - 0.01F);'
 mutant grid_leaves_by_the_farthest accel accel/grid.h 'leave[0] <= leave[1] ? (leave[0] <= leave[2]' \
   'leave[0] >= leave[1] ? (leave[0] <= leave[2]'
 
@@ -218,6 +221,8 @@ mutant cones_segment_doubled cones trace/ray_cone.cpp '(arc - portable::sin(arc)
 mutant cones_small_segment_doubled cones trace/ray_cone.cpp 'arc * square / 12' 'arc * square / 6'
 mutant cones_one_segment_of_two cones trace/ray_cone.cpp 'segment(own) + radius * radius * segment(other)' 'segment(own)'
 mutant cones_gloss_narrows cones trace/ray_cone.cpp 'width.spread + more' 'width.spread - more'
+mutant cones_ask_as_if_they_did_not_widen cone_bodies trace/cone_bodies.cpp 'std::abs(cone.radius_at(until))' '0.0'
+mutant cones_ask_nothing_behind_their_start cone_bodies trace/cone_bodies.cpp 'std::max(along - reach, 0.0)' 'std::max(along, 0.0)'
 mutant pencils_mirror_keeps_left cones trace/pencil.h 'ConePlane::of_incidence ? -1 : 1;' 'ConePlane::of_incidence ? 1 : 1;'
 mutant pencils_focus_elsewhere cones trace/pencil.h '-system.b / system.d' '-system.a / system.d'
 mutant pencils_in_the_wrong_order cones trace/pencil.h 'a * before.b + b * before.d' 'before.a * b + before.b * d'
@@ -250,6 +255,7 @@ mutant differentials_corners_alike differentials accel/triangles.h 'bc.x * (norm
 mutant checker_border_clockwise differentials trace/checker_filter.cpp 'return cross(p, q) < 0 ? -sum : sum;' 'return sum;'
 mutant checker_integral_of_another_row differentials trace/checker_filter.cpp 'return 0.5 - std::abs(u - 2 * whole_below(u / 2) - 1)' 'return std::abs(u - 2 * whole_below(u / 2) - 1) - 0.5'
 mutant checker_line_by_its_shorter_way differentials trace/checker_filter.cpp 'std::abs(way.x) > std::abs(way.y) ?' 'std::abs(way.x) < std::abs(way.y) ?'
+mutant checker_lines_counted_once differentials trace/checker_filter.cpp 'sum += 2 * wave * second' 'sum += wave * second'
 
 # Mirrors of small mirrors, and metals.
 mutant facets_without_their_area facets trace/microfacets.h 'return alpha_ * alpha_ / (pi_v<T> * at * at);' 'return alpha_ / (pi_v<T> * at * at);'

@@ -37,7 +37,11 @@ suspect() {
 verdict() {
   local log=$work/$1.log program=("$(suspect "$2")" "$root/tests/mutants/suspects.cpp") libraries=(-lgmpxx -lgmp)
   # Whatever concerns no crossing has to get past a test of its own.
-  [[ $2 == accel ]] && program+=("$4"/src/accel/{search_record,structures,wide_search,wide_search_eight,wide_tree,width}.cpp)
+  [[ $2 == accel ]] && program+=("$4"/src/accel/{binary_tree,search_record,spatial_split,structures,wide_search,wide_search_eight,wide_tree,width}.cpp)
+  [[ $2 == splits ]] && program=("-I$root/tests" "$root/tests/accel/wide_tree_test.cpp" "$4"/src/accel/{binary_tree,search_record,spatial_split,wide_tree}.cpp) \
+    libraries=("${catch2[@]}")
+  [[ $2 == cone_bodies ]] && program=("-I$root/tests" "$root/tests/trace/cone_bodies_test.cpp" "$4"/src/trace/{cone_bodies,ray_cone}.cpp) \
+    libraries=("${catch2[@]}")
   [[ $2 == uv ]] && program=("-I$root/tests" "$root/tests/shape/uv_test.cpp") libraries=("${catch2[@]}")
   [[ $2 == stack ]] && program=("-I$root/tests" "$root/tests/trace/body_stack_test.cpp") libraries=("${catch2[@]}")
   [[ $2 == photons ]] && program=("-I$root/tests" "$root/tests/trace/photon_map_test.cpp" "$4/src/trace/photon_map.cpp") \
@@ -51,7 +55,7 @@ verdict() {
     libraries=("${catch2[@]}" -lgmpxx -lgmp)
   [[ $2 == cones ]] && program=("-I$root/tests" "$root/tests/trace/"{ray_cone,pencil}_test.cpp "$4/src/trace/ray_cone.cpp") \
     libraries=("${catch2[@]}")
-  [[ $2 == differentials ]] && program=("-I$root/tests" "$root/tests/"{trace/ray_differential,trace/checker_filter,shape/derivative}_test.cpp "$4/src/trace/checker_filter.cpp") \
+  [[ $2 == differentials ]] && program=("-I$root/tests" "$root/tests/"{trace/ray_differential,trace/checker_filter,accel/derivative}_test.cpp "$4/src/trace/checker_filter.cpp") \
     libraries=("${catch2[@]}")
   # shellcheck disable=SC2086
   if ! "$cxx" -std=c++20 -O1 -ffp-contract=off $3 -I"$4/src" "${program[@]}" \

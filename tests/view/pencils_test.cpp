@@ -1,0 +1,94 @@
+// Pencils in the plan: rays beside each ray of the pixel, and on demand the true ones.
+
+#include <algorithm>
+#include <cmath>
+
+#include "fixtures.h"
+#include "support/catch.h"
+#include "view/plan/plan_geometry.h"
+#include "view/text/text.h"
+#include "view/walk/walk.h"
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+namespace {
+
+State traced_classic() {
+  State state = classic_state();
+  update(state, action::SetMode{Mode::trace});
+  update(state, action::Jump{state.walk.timeline->steps()});
+  return state;
+}
+
+std::size_t straight_lines_in(const State& state) {
+  const DisplayList list = plan_view(state);
+  return static_cast<std::size_t>(std::count_if(
+      list.begin(), list.end(), [](const DisplayItem& item) { return std::holds_alternative<LineItem>(item.shape); }));
+}
+
+}  // namespace
+
+TEST_CASE("pencils are shown for the pixel at work, and hidden again") {
+  State state = traced_classic();
+  const std::size_t before = straight_lines_in(state);
+  CHECK(state.pencil.pencils.empty());
+  update(state, action::ShowPencils{true});
+  CHECK_FALSE(state.pencil.pencils.empty());
+  const int pixel = state.walk.timeline->current_pixel(state.walk.position);
+  for (const Pencil& pencil : state.pencil.pencils) {
+    CHECK(state.walk.timeline->rays()[static_cast<std::size_t>(pencil.ray)].pixel == pixel);
+    CHECK(pencil.truly.empty());
+  }
+  const std::size_t with = straight_lines_in(state);
+  CHECK(with > before);
+  CHECK(is_finite(plan_view(state)));
+  update(state, action::ShowNeighbours{true});
+  for (const Pencil& pencil : state.pencil.pencils) CHECK(pencil.truly.size() == std::size(pencil_rays));
+  CHECK(straight_lines_in(state) > with);
+  update(state, action::ShowNeighbours{false});
+  CHECK(straight_lines_in(state) == with);
+  update(state, action::ShowPencils{false});
+  CHECK(state.pencil.pencils.empty());
+  CHECK(straight_lines_in(state) == before);
+}
+
+TEST_CASE("what a pencil says of itself is what the true rays do") {
+  State state = traced_classic();
+  update(state, action::ShowNeighbours{true});
+  CHECK(state.pencil.shown);
+  int compared = 0, off = 0;
+  for (int at = 1; at <= state.walk.timeline->steps(); at += 7) {
+    update(state, action::Jump{at});
+    for (const Pencil& pencil : state.pencil.pencils) {
+      const PencilStage& last = pencil.stages.back();
+      if (!std::isfinite(last.length)) continue;
+      // From EYE straight to a surface the pencil errs by the tangent of its angle only.
+      if (pencil.stages.size() == 1)
+        CHECK(pencil.error < last.length * std::pow(state.pencil.half_angle, 3));
+      else
+        off += pencil.error > 1e-6;
+      ++compared;
+    }
+  }
+  CHECK(compared > 20);
+  CHECK(off > 3);
+}
+
+TEST_CASE("a walk of beams, cones or radiosity, and moving, shows no pencils") {
+  State state = traced_classic();
+  update(state, action::ShowPencils{true});
+  update(state, action::SetMode{Mode::move});
+  const std::size_t moving = straight_lines_in(state);
+  update(state, action::ShowPencils{false});
+  CHECK(straight_lines_in(state) == moving);
+  Scene scene = classic_state().scene();
+  for (const Integrator integrator : {Integrator::beams, Integrator::cones, Integrator::radiosity}) {
+    scene.render.integrator = integrator;
+    State other = state_of(scene);
+    update(other, action::SetMode{Mode::trace});
+    update(other, action::Jump{other.walk.timeline->steps()});
+    update(other, action::ShowPencils{true});
+    CHECK(other.pencil.pencils.empty() == (other.walk.timeline->has_width() || other.walk.timeline->of_radiosity()));
+  }
+}
