@@ -303,15 +303,16 @@ class GltfReader {
     return {};
   }
 
-  /// The metallic part is a mirror, blurred by roughness; the rest is matte.
+  /// The metallic part is a mirror, the weaker the rougher it is; the rest is matt, or glass as rough as it says, by
+  /// the square of what glTF calls roughness.
   Material material_of(const Json& from) {
     Material material;
     const Json empty = Json::object();
     const Json* found = file_.find(from, "pbrMetallicRoughness");
     const Json& pbr = found ? *found : empty;
     const auto base = file_.numbers<4>(pbr, "baseColorFactor", {1, 1, 1, 1});
-    const double mirrored =
-        file_.numbers<1>(pbr, "metallicFactor", {1})[0] * (1 - file_.numbers<1>(pbr, "roughnessFactor", {1})[0]);
+    const double rough = file_.numbers<1>(pbr, "roughnessFactor", {1})[0];
+    const double mirrored = file_.numbers<1>(pbr, "metallicFactor", {1})[0] * (1 - rough);
     const auto emission = file_.numbers<3>(from, "emissiveFactor", {0, 0, 0});
     const auto colour = [](double x) { return std::clamp(x, 0.0, 1.0); };
     const Rgbd tint(colour(base[0]), colour(base[1]), colour(base[2]));
@@ -328,6 +329,7 @@ class GltfReader {
     const auto light = [](double x) { return std::clamp(x, 0.0, schema::light_amount.high); };
     material.emission = {light(emission[0]), light(emission[1]), light(emission[2])};
     material.dielectric = through > 0;
+    if (through > 0) material.roughness = colour(rough) * colour(rough);
     return material;
   }
 

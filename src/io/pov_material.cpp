@@ -93,7 +93,9 @@ Rgbd extinction(const Material& material) { return material.absorption + materia
 std::string pov_texture(const Material& material, const std::optional<FlatFrame>& frame, PovLosses& losses) {
   if (material.gloss > 0 || material.translucency > 0)
     losses.insert("gloss and translucency: mirrors and glass become sharp");
-  if (material.is_rough()) losses.insert("rough mirrors, which become sharp and lose their highlights");
+  if (material.is_rough_mirror()) losses.insert("rough mirrors, which become sharp and lose their highlights");
+  if (material.is_rough_glass()) losses.insert("rough glass, which becomes clear");
+  if (material.is_rough_diffuse()) losses.insert("the roughness of matt surfaces, which become Lambert's");
   if (material.is_metal()) losses.insert("how metals reflect more at flat angles: they reflect as at right angles");
   if (material.normal == ShadingNormal::fixed) losses.insert("fixed normals: surfaces are lit from both sides");
   if (material.texture) losses.insert("image textures");

@@ -19,7 +19,7 @@ using std::numbers::pi_v;
 /// Revisited", JCGT 6(1), 2017).
 template <class T>
 struct Basis {
-  explicit Basis(const Vec3<T>& unit) : n(unit) {
+  [[gnu::always_inline]] explicit Basis(const Vec3<T>& unit) : n(unit) {
     const T sign = std::copysign(T(1), n.z);
     const T a = -1 / (sign + n.z);
     const T b = n.x * n.y * a;

@@ -138,14 +138,33 @@ EffectUse filtering(const Scene& scene) {
                       : use_if(scene, &Material::filters_texture, "has its image filtered", "no pattern is filtered");
 }
 
-/// Without random numbers a rough mirror still has its highlights.
+/// Without random numbers rough glass still has its highlights, unless what is followed has a width.
+EffectUse rough_glass(const Scene& scene, Integrator integrator) {
+  const EffectUse use =
+      use_if(scene, &Material::is_rough_glass, "is glass of small facets", "nothing is of metal or rough");
+  return use.used && traits_of(integrator).has_width ? left_out(integrator, "takes rough glass as clear") : use;
+}
+
+/// Without random numbers a rough mirror still has its highlights. Matt surfaces are there for every integrator.
 EffectUse microfacets(const Scene& scene, Integrator integrator) {
-  if (!traits_of(integrator).is_recursive) return left_out(integrator, "follows no ray beyond the first hit");
-  if (!scene.render.switches.reflection) return {false, "none: reflection is switched off"};
-  const EffectUse metal = use_if(scene, &Material::is_metal, "is a mirror of metal", "");
-  return metal.used
-             ? metal
-             : use_if(scene, &Material::is_rough, "is a mirror of small mirrors", "no mirror is of metal or rough");
+  const EffectSwitches& on = scene.render.switches;
+  EffectUse use;
+  if (!traits_of(integrator).is_recursive) {
+    use = left_out(integrator, "follows no ray beyond the first hit");
+  } else if (!on.reflection) {
+    use = {false, "none: reflection is switched off"};
+  } else {
+    use = use_if(scene, &Material::is_metal, "is a mirror of metal", "");
+    if (!use.used) use = use_if(scene, &Material::is_rough_mirror, "is a mirror of small mirrors", "");
+    if (!use.used && on.refraction)
+      use = rough_glass(scene, integrator);
+    else if (!use.used)
+      use.why = "none: refraction is switched off, and nothing else is of metal or rough";
+  }
+  if (use.used) return use;
+  const EffectUse matt = use_if(scene, &Material::is_rough_diffuse, "is matt and rough", "");
+  if (!matt.used) return use;
+  return integrator == Integrator::radiosity ? left_out(integrator, "takes matt surfaces as smooth") : matt;
 }
 
 EffectUse shadows(const Scene& scene, Integrator integrator) {

@@ -94,7 +94,10 @@ struct Material {
   double translucency = 0;  ///< the same about the refracted direction, for kt; both uniform over the cone
   MirrorKind mirror =
       MirrorKind::ideal;  ///< kr is multiplied by what it reflects (Fresnel); only where nothing transmits
-  double roughness = 0;   ///< alpha, 0..1, of the small mirrors that reflect kr (GGX); the same, and without gloss
+  double roughness = 0;   ///< alpha, 0..1, of the small facets that reflect kr (GGX), and of a dielectric transmit too;
+                          ///< only without gloss and translucency
+  double diffuse_roughness = 0;  ///< r, 0..1, of the surface that sends kd back: 0 is Lambert's, 1 the roughest (Oren
+                                 ///< and Nayar 1994; Portsmouth, Kutz and Hill 2025)
   Rgbd absorption{0.0};   ///< a: inside, the transmittance over a distance d is exp(-a d) (Beer); where kt > 0
   Rgbd scattering{0.0};   ///< s: inside, paths go straight for a distance d with probability exp(-s d), then scatter
   double anisotropy = 0;  ///< g: mean cosine of the angle by which they scatter, in -1..1 (Henyey-Greenstein)
@@ -109,7 +112,11 @@ struct Material {
   [[nodiscard]] bool reflects() const { return !is_black(reflection); }
   [[nodiscard]] bool transmits() const { return !is_black(transmission); }
   [[nodiscard]] bool is_glossy() const { return gloss > 0 && (reflects() || transmits()); }
-  [[nodiscard]] bool is_rough() const { return roughness > 0 && reflects(); }
+  /// Small facets that reflect, or transmit too.
+  [[nodiscard]] bool is_rough() const { return is_rough_mirror() || is_rough_glass(); }
+  [[nodiscard]] bool is_rough_mirror() const { return roughness > 0 && reflects() && !is_rough_glass(); }
+  [[nodiscard]] bool is_rough_glass() const { return roughness > 0 && transmits() && dielectric; }
+  [[nodiscard]] bool is_rough_diffuse() const { return diffuse_roughness > 0 && !is_black(diffuse); }
   [[nodiscard]] bool is_metal() const { return mirror != MirrorKind::ideal && reflects(); }
   [[nodiscard]] bool is_translucent() const { return translucency > 0 && transmits(); }
   [[nodiscard]] bool scatters_inside() const { return transmits() && !is_black(scattering); }

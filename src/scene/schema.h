@@ -344,6 +344,8 @@ void describe(Fields& f, Material& material) {
   f.about("How a surface answers light.");
   f.key("ambient", material.ambient, share, "ka: share of the ambient light that is sent back.");
   f.key("diffuse", material.diffuse, share, "kd: share of a light that is sent out evenly in all directions.");
+  f.key("diffuse_roughness", material.diffuse_roughness, diffuse_roughness,
+        "How rough the matt part is (Oren and Nayar): the rougher, the more light goes back to where it came from.");
   f.key("specular", material.specular, share, "ks: strength of the highlight.");
   f.key("shininess", material.shininess, not_negative, "s: the higher, the smaller the highlight.");
   f.key("reflection", material.reflection, share, "kr: share of what the mirror ray brings.");
@@ -359,11 +361,14 @@ void describe(Fields& f, Material& material) {
   f.check("mirror", material.mirror == MirrorKind::ideal || !material.transmits(),
           "a metal does not go with transmission (expected \"ideal\")", "metals let no light through");
   f.key("roughness", material.roughness, roughness,
-        "alpha: how steep the small mirrors are that a rough one consists of (GGX); 0 is smooth.");
-  f.check("roughness", material.roughness == 0 || !material.transmits(),
-          "roughness does not go with transmission (expected 0)", "for rough glass there are gloss and translucency");
+        "alpha: how steep the small facets are that a rough mirror or glass consists of (GGX); 0 is smooth.");
+  f.check("roughness", material.roughness == 0 || !material.transmits() || material.dielectric,
+          "roughness goes with transmission only where dielectric = true (expected 0)",
+          "the facets of rough glass split light as real glass does; for kr and kt there are gloss and translucency");
   f.check("roughness", material.roughness == 0 || material.gloss == 0, "roughness does not go with gloss (expected 0)",
           "both say how a rough mirror spreads light: choose one");
+  f.check("roughness", material.roughness == 0 || material.translucency == 0,
+          "roughness does not go with translucency (expected 0)", "both say how rough glass spreads light: choose one");
   f.key("absorption", material.absorption, light_colour,
         "Of the light inside, exp(-absorption) is left after each unit of length.");
   f.key("scattering", material.scattering, light_colour,

@@ -97,6 +97,11 @@ inline constexpr Number roughness{
     .high = 1,
     .hint = "0 is smooth, 0.1 polished metal, 0.5 cast metal",
 };
+inline constexpr Number diffuse_roughness{
+    .words = "a number from 0 to 1",
+    .high = 1,
+    .hint = "0 is chalk by Lambert, 0.5 clay, 1 dust",
+};
 inline constexpr Number sun_elevation{
     .words = "an angle in degrees from 0 to 90",
     .high = 90,

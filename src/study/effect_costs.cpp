@@ -111,7 +111,8 @@ std::optional<Scene> without(const Scene& scene, Effect effect) {
       });
       return changed;
     case Effect::microfacets:
-      change_materials(changed, [](Material& m) { m.mirror = MirrorKind::ideal, m.roughness = 0; });
+      change_materials(changed,
+                       [](Material& m) { m.mirror = MirrorKind::ideal, m.roughness = m.diffuse_roughness = 0; });
       return changed;
   }
   return std::nullopt;

@@ -2,6 +2,7 @@
 
 #include "math/elementary.h"
 #include "math/overloaded.h"
+#include "scene/effects.h"
 #include "timeline/beam_message.h"
 #include "timeline/cone_message.h"
 
@@ -59,10 +60,24 @@ class Describer {
     return leaves && at.parent >= 0 ? ray(at.parent).object : at.object;
   }
   [[nodiscard]] std::string shaded() const { return object(shaded_index()); }
-  /// Whether what reflects there are small mirrors. Light may meet several, so a ray may count for more than 1.
-  [[nodiscard]] bool is_rough() const {
+  /// The material there.
+  [[nodiscard]] Material shaded_material() const {
     const int index = shaded_index();
-    return index >= 0 && scene_.objects[static_cast<std::size_t>(index)].material.is_rough();
+    return index < 0 ? Material{} : scene_.objects[static_cast<std::size_t>(index)].material;
+  }
+  /// Whether what a ray brings that leaves the surface may count for more than the pixel. The flat world of photons
+  /// takes matt surfaces as smooth.
+  [[nodiscard]] bool may_count_more(const Event& event, RayKind kind) const {
+    const Material material = shaded_material();
+    if (kind == RayKind::refract) return material.is_rough_glass();
+    return material.is_rough() || (material.is_rough_diffuse() && event.line == Line::form_next_ray);
+  }
+
+  /// Whether a refract ray was turned by a small facet: no smooth surface turns it so.
+  [[nodiscard]] bool by_facet(const RayFormed& formed) const {
+    const int index = shaded_index();
+    return index >= 0 && scene_.objects[static_cast<std::size_t>(index)].material.is_rough_glass() &&
+           draws_random(integrator_of(scene_, scene_.render.samples)) && formed.snell->n1 != formed.snell->n2;
   }
 
   [[nodiscard]] Message describe(const Event& /*event*/, const PixelBegun& begun) const {
@@ -73,7 +88,7 @@ class Describer {
 
   [[nodiscard]] Message describe(const Event& event, const RayFormed& formed) const {
     if (event.line == Line::form_next_ray || event.line == Line::gather_form_next_ray)
-      return {formed.kind == RayKind::reflect && is_rough() ? "walk.next_counts" : "walk.next_formed",
+      return {may_count_more(event, formed.kind) ? "walk.next_counts" : "walk.next_formed",
               {{"object", shaded()}, {"ray", formed.kind}, {"share", Fraction{max_component(formed.throughput)}}}};
     switch (formed.kind) {
       case RayKind::primary: {
@@ -88,9 +103,13 @@ class Describer {
       case RayKind::reflect:
         return {"walk.reflect_formed", {{"object", shaded()}, {"share", Fraction{max_component(formed.throughput)}}}};
       case RayKind::refract: {
-        const SnellNumbers snell = formed.snell.value_or(SnellNumbers{1, 1, 1, 1, 0});
+        // Of rough glass light may have met several facets, which turned it together.
+        if (!formed.snell) return {"walk.refract_formed_facets", {{"object", shaded()}}};
+        const SnellNumbers snell = *formed.snell;
         const bool goes_in = came_from_outside();
         const double in = degrees_of(snell.cos_in), out = degrees_of(snell.cos_out);
+        if (by_facet(formed))
+          return {"walk.refract_formed_facet", {{"object", shaded()}, {"angle_in", in}, {"angle_out", out}}};
         if ((goes_in ? snell.n1 : snell.n2) != 1)
           return {"walk.refract_formed_within",
                   {{"object", shaded()},
@@ -298,39 +317,39 @@ class Describer {
   [[nodiscard]] Message describe(const Event& event, const DirectionChosen& chosen) const {
     if (event.line == Line::photon_choose_direction) {
       if (chosen.absorbed) return {"walk.photon_no_direction", {{"object", shaded()}}};
-      return {photon_by_lobe(chosen.lobe, is_rough()), {{"object", shaded()}}};
+      return {photon_by_lobe(chosen.lobe, shaded_material()), {{"object", shaded()}}};
     }
     if (event.line == Line::gather_choose_direction && chosen.absorbed)
       return {"walk.gather_no_direction", {{"object", shaded()}}};
     if (chosen.absorbed) return {"walk.direction_none", {{"object", shaded()}}};
-    return {by_lobe(chosen.lobe, is_rough()),
+    return {by_lobe(chosen.lobe, shaded_material(), event.line == Line::choose_direction),
             {{"object", shaded()}, {"share", Fraction{max_component(chosen.throughput)}}}};
   }
-  static std::string_view photon_by_lobe(Lobe lobe, bool is_rough) {
+  static std::string_view photon_by_lobe(Lobe lobe, const Material& material) {
     switch (lobe) {
       case Lobe::diffuse:
         return "walk.photon_diffused";
       case Lobe::highlight:
         return "walk.photon_in_highlight";
       case Lobe::mirror:
-        return is_rough ? "walk.photon_small_mirror" : "walk.photon_mirrored";
+        return material.is_rough() ? "walk.photon_small_mirror" : "walk.photon_mirrored";
       case Lobe::transparent:
-        return "walk.photon_passed";
+        return material.is_rough_glass() ? "walk.photon_small_facet" : "walk.photon_passed";
       case Lobe::phase:
         break;
     }
     return {};
   }
-  static std::string_view by_lobe(Lobe lobe, bool is_rough) {
+  static std::string_view by_lobe(Lobe lobe, const Material& material, bool by_path) {
     switch (lobe) {
       case Lobe::diffuse:
-        return "walk.direction_diffuse";
+        return by_path && material.is_rough_diffuse() ? "walk.direction_rough_matt" : "walk.direction_diffuse";
       case Lobe::highlight:
         return "walk.direction_highlight";
       case Lobe::mirror:
-        return is_rough ? "walk.direction_small_mirror" : "walk.direction_mirror";
+        return material.is_rough() ? "walk.direction_small_mirror" : "walk.direction_mirror";
       case Lobe::transparent:
-        return "walk.direction_transparent";
+        return material.is_rough_glass() ? "walk.direction_small_facet" : "walk.direction_transparent";
       case Lobe::phase:
         return "walk.direction_scattered";
     }

@@ -5,6 +5,7 @@
 #include "trace/event.h"
 #include "trace/microfacets.h"
 #include "trace/optics.h"
+#include "trace/rough_dielectric.h"
 
 #include <array>
 #include <optional>
@@ -47,13 +48,23 @@ struct BsdfSample {
   T pdf;              ///< 0 for a sharp lobe
 };
 
+/// What of a BSDF is as small facets make it. Null: as a smooth surface has it.
+template <class T>
+struct FacetLobes {
+  const Microsurface<T>* facets = nullptr;      ///< the small mirrors that reflect `mirror`
+  const RoughDiffuse<T>* matt = nullptr;        ///< scatters `diffuse`
+  const RoughDielectric<T>* glass = nullptr;    ///< reflects and transmits, `mirror` and `transparent` in all
+  typename RoughDielectric<T>::Side side = {};  ///< of the glass, where the ray comes from
+  Rgb<T> both{0};                               ///< kr + kt of the glass
+};
+struct NoFacetLobes {};
+
 /// The BSDF of a surface at a point, for one incoming ray. Whitted's terms as a scattering function f, times the
 /// cosine: kd / pi cos, the highlight ks / pi (n.h)^s as the tracer has it for lights, kr' and kt' in one direction
-/// each or uniformly over a cone, whose part beyond the surface is folded back; or kr by small mirrors. `with_facets`:
-/// whether there may be small mirrors; without, nothing asks for them.
+/// each or uniformly over a cone, whose part beyond the surface is folded back; or each of them as small facets make
+/// it. `with_facets`: whether there may be facets; without, nothing asks for them.
 template <class T, bool with_facets = true>
-struct Bsdf {
-  struct NoFacets {};
+struct Bsdf : std::conditional_t<with_facets, FacetLobes<T>, NoFacetLobes> {
   Vec3<T> incident;          ///< unit, towards the surface
   Vec3<T> shading_normal;    ///< unit, facing the ray; interpolated on smooth meshes
   Vec3<T> geometric_normal;  ///< unit, facing the ray: decides what is in front of and behind the surface
@@ -61,11 +72,10 @@ struct Bsdf {
   T shininess = 0;
   Vec3<T> mirror_axis{0}, transparent_axis{0};  ///< unit
   T mirror_width = 0, transparent_width = 0;    ///< 1 - cos of the cones' half angles; 0: sharp
-  /// The small mirrors that reflect `mirror`, if any.
-  [[no_unique_address]] std::conditional_t<with_facets, const Microsurface<T>*, NoFacets> facets{};
-  [[nodiscard]] const Microsurface<T>* microsurface() const {
-    if constexpr (with_facets) return facets;
-    return nullptr;
+  /// Whether small facets reflect, or reflect and transmit.
+  [[nodiscard]] bool by_facets() const {
+    if constexpr (with_facets) return this->facets != nullptr || this->glass != nullptr;
+    return false;
   }
 
   using BsdfValue = raywalk::BsdfValue<T>;
@@ -77,10 +87,25 @@ struct Bsdf {
   [[nodiscard]] bool absorbs() const { return lobes_ == 0; }
   /// With which `sample_lobe` returns this one.
   [[nodiscard]] T probability(Lobe lobe) const { return probabilities_[static_cast<std::size_t>(lobe)]; }
-  /// With this lobe alone.
+  /// With which what `sample` makes of this lobe is drawn: of rough glass, its facets choose between mirror and
+  /// transparent.
+  [[nodiscard]] T probability_of_choice(Lobe lobe) const {
+    return is_glass(lobe) ? probability(Lobe::mirror) + probability(Lobe::transparent) : probability(lobe);
+  }
+  /// How far the number that chose the lobe is through those that choose it, in 0..1; of rough glass only.
+  [[nodiscard]] T among_choices(Lobe lobe, T chosen_by) const {
+    // They are the last, for mirror and transparent are.
+    const T all = probability_of_choice(lobe);
+    return is_glass(lobe) ? std::clamp((chosen_by - (1 - all)) / all, T(0), T(1)) : T(0);
+  }
+  /// With this lobe alone; of rough glass, with both.
   [[nodiscard]] Bsdf only(Lobe lobe) const;
   /// Whether there are several lobes to choose from.
-  [[nodiscard]] bool several() const { return lobes_ > 1; }
+  [[nodiscard]] bool several() const {
+    if constexpr (with_facets)
+      if (this->glass != nullptr) return true;
+    return lobes_ > 1;
+  }
   /// Whether the lobe's direction has to be drawn.
   [[nodiscard]] bool needs_direction(Lobe lobe) const { return !sharp(lobe); }
   [[nodiscard]] bool all_sharp() const {
@@ -90,21 +115,49 @@ struct Bsdf {
 
   /// The sum of all lobes that are not sharp. `drawn`: the lobe that the direction was sampled from, if it was.
   [[nodiscard]] BsdfValue evaluate(const Vec3<T>& direction, std::optional<Lobe> drawn = {}) const;
-  /// What a light's strength is multiplied by, as kd cos and ks (n.h)^s are; `direction`: unit, to the light. Small
-  /// mirrors show lights that have no extent.
+  /// kd times the cosine, or what a rough matt surface has in its place: what a light's strength is multiplied by.
+  /// `cos`: of the angle between the shading normal and `direction`, unit, to a light in front of the surface.
+  [[nodiscard]] Rgb<T> diffuse_answer(const Vec3<T>& direction, T cos) const {
+    if constexpr (with_facets)
+      if (this->matt != nullptr) return this->matt->value(diffuse, shading_normal, -incident, direction) * cos;
+    return diffuse * cos;
+  }
+  /// The same of the highlight, as ks (n.h)^s is. Small facets show lights that have no extent.
   [[nodiscard]] Rgb<T> highlight_of_facets(const Vec3<T>& direction) const {
-    const Microsurface<T>* own = microsurface();
-    if (own == nullptr) return Rgb<T>(0);
-    return pi_v<T> * mirror * own->value(own->facets->evaluate(shading_normal, -incident, direction));
+    if constexpr (with_facets) {
+      if (this->glass != nullptr) return pi_v<T> * by_glass(direction).value;
+      if (this->facets != nullptr) {
+        const auto by_facets = this->facets->facets->evaluate(shading_normal, -incident, direction);
+        return pi_v<T> * mirror * this->facets->value(by_facets);
+      }
+    }
+    return Rgb<T>(0);
   }
   [[nodiscard]] Lobe sample_lobe(T u) const;
-  /// Weight 0 when the sampled direction is below the horizon.
-  [[nodiscard]] BsdfSample sample(Lobe lobe, const Vec2<T>& u) const;
+  /// Weight 0 when the sampled direction is below the horizon. `chosen_by`: the number that `sample_lobe` chose by; of
+  /// rough glass the sample's lobe may be the other one.
+  [[nodiscard]] BsdfSample sample(Lobe lobe, const Vec2<T>& u, T chosen_by = 0) const;
 
  private:
   [[nodiscard]] bool sharp(Lobe lobe) const {
-    return (lobe == Lobe::mirror && mirror_width == 0 && microsurface() == nullptr) ||
+    if constexpr (with_facets)
+      if (this->glass != nullptr) return false;
+    return (lobe == Lobe::mirror && mirror_width == 0 && !by_facets()) ||
            (lobe == Lobe::transparent && transparent_width == 0);
+  }
+  [[nodiscard]] bool is_glass(Lobe lobe) const {
+    if constexpr (with_facets) return this->glass != nullptr && (lobe == Lobe::mirror || lobe == Lobe::transparent);
+    return false;
+  }
+  /// `evaluate`, inlined where directions are sampled: each vertex of a path pays for a call.
+  [[nodiscard]] BsdfValue evaluate_inline(const Vec3<T>& direction, std::optional<Lobe> drawn) const;
+  [[nodiscard]] BsdfSample sample_glass(const Vec2<T>& u, T chosen_by) const;
+  /// What the glass reflects or transmits, whichever the direction says, and the density among all that it sends.
+  [[nodiscard]] BsdfValue by_glass(const Vec3<T>& direction) const {
+    // An interpolated normal may have it on another side than the surface.
+    if ((dot(geometric_normal, direction) > 0) != (dot(shading_normal, direction) > 0)) return {};
+    const auto at = this->glass->evaluate(this->side, shading_normal, -incident, direction);
+    return {this->glass->value(this->both, at), at.pdf_of_both};
   }
   [[nodiscard]] bool has(Lobe lobe) const { return probability(lobe) > 0; }
   /// `direction` mirrored in the surface.
@@ -142,20 +195,30 @@ Bsdf<T, with_facets> Bsdf<T, with_facets>::only(Lobe lobe) const {
   Bsdf alone = *this;
   if (lobe != Lobe::diffuse) alone.diffuse = Rgb<T>(0);
   if (lobe != Lobe::highlight) alone.highlight = Rgb<T>(0);
-  if (lobe != Lobe::mirror) alone.mirror = Rgb<T>(0);
-  if (lobe != Lobe::transparent) alone.transparent = Rgb<T>(0);
+  if (lobe != Lobe::mirror && !is_glass(lobe)) alone.mirror = Rgb<T>(0);
+  if (lobe != Lobe::transparent && !is_glass(lobe)) alone.transparent = Rgb<T>(0);
   alone.prepare(Rgb<T>(1));
   return alone;
 }
 
 template <class T, bool with_facets>
 auto Bsdf<T, with_facets>::evaluate(const Vec3<T>& direction, std::optional<Lobe> drawn) const -> BsdfValue {
+  return evaluate_inline(direction, drawn);
+}
+
+template <class T, bool with_facets>
+[[gnu::always_inline]] inline auto Bsdf<T, with_facets>::evaluate_inline(const Vec3<T>& direction,
+                                                                         std::optional<Lobe> drawn) const -> BsdfValue {
   BsdfValue at;
   if (dot(geometric_normal, direction) > 0) {
     const T cos = dot(shading_normal, direction);
     if (cos > 0) {
       if (has(Lobe::diffuse)) {
-        at.value += diffuse * (cos / pi_v<T>);
+        if constexpr (with_facets)
+          at.value +=
+              this->matt != nullptr ? diffuse_answer(direction, cos) * (1 / pi_v<T>) : diffuse * (cos / pi_v<T>);
+        else
+          at.value += diffuse * (cos / pi_v<T>);
         at.pdf += probability(Lobe::diffuse) * cosine_hemisphere_pdf(cos);
       }
       if (has(Lobe::highlight)) {
@@ -168,16 +231,34 @@ auto Bsdf<T, with_facets>::evaluate(const Vec3<T>& direction, std::optional<Lobe
         }
       }
     }
-    if (const Microsurface<T>* own = microsurface(); own != nullptr && has(Lobe::mirror)) {
-      const auto by_facets = own->facets->evaluate(shading_normal, -incident, direction);
-      at.value += mirror * own->value(by_facets);
-      at.pdf += probability(Lobe::mirror) * by_facets.pdf;
-    } else if (has(Lobe::mirror) && !sharp(Lobe::mirror)) {
+    if constexpr (with_facets) {
+      if (this->glass != nullptr && probability_of_choice(Lobe::mirror) > 0) {
+        const BsdfValue reflected = by_glass(direction);
+        at.value += reflected.value;
+        at.pdf += probability_of_choice(Lobe::mirror) * reflected.pdf;
+        return at;
+      }
+      if (this->facets != nullptr && has(Lobe::mirror)) {
+        const auto by_facets = this->facets->facets->evaluate(shading_normal, -incident, direction);
+        at.value += mirror * this->facets->value(by_facets);
+        at.pdf += probability(Lobe::mirror) * by_facets.pdf;
+        return at;
+      }
+    }
+    if (has(Lobe::mirror) && !sharp(Lobe::mirror)) {
       const T pdf = cone_pdf(mirror_axis, mirror_width, direction, drawn == Lobe::mirror);
       at.value += mirror * pdf;
       at.pdf += probability(Lobe::mirror) * pdf;
     }
-  } else if (has(Lobe::transparent) && !sharp(Lobe::transparent)) {
+  } else if (probability_of_choice(Lobe::transparent) > 0 && !sharp(Lobe::transparent)) {
+    if constexpr (with_facets) {
+      if (this->glass != nullptr) {
+        const BsdfValue transmitted = by_glass(direction);
+        at.value += transmitted.value;
+        at.pdf += probability_of_choice(Lobe::transparent) * transmitted.pdf;
+        return at;
+      }
+    }
     const T pdf = cone_pdf(transparent_axis, transparent_width, direction, drawn == Lobe::transparent);
     at.value += transparent * pdf;
     at.pdf += probability(Lobe::transparent) * pdf;
@@ -198,8 +279,10 @@ Lobe Bsdf<T, with_facets>::sample_lobe(T u) const {
 }
 
 template <class T, bool with_facets>
-auto Bsdf<T, with_facets>::sample(Lobe lobe, const Vec2<T>& u) const -> BsdfSample {
+auto Bsdf<T, with_facets>::sample(Lobe lobe, const Vec2<T>& u, [[maybe_unused]] T chosen_by) const -> BsdfSample {
   BsdfSample choice{lobe, Vec3<T>(0), Rgb<T>(0), 0};
+  if constexpr (with_facets)
+    if (is_glass(lobe)) return sample_glass(u, chosen_by);
   switch (lobe) {
     case Lobe::diffuse:
       choice.direction = Basis<T>(shading_normal).to_world(sample_cosine_hemisphere(u));
@@ -211,9 +294,11 @@ auto Bsdf<T, with_facets>::sample(Lobe lobe, const Vec2<T>& u) const -> BsdfSamp
     case Lobe::mirror:
       choice.direction = mirror_axis;
       if (sharp(lobe)) break;
-      if (const Microsurface<T>* own = microsurface(); own != nullptr) {
-        choice.direction = own->facets->sample(shading_normal, -incident, u);
-        break;
+      if constexpr (with_facets) {
+        if (this->facets != nullptr) {
+          choice.direction = this->facets->facets->sample(shading_normal, -incident, u);
+          break;
+        }
       }
       choice.direction = renormalize(Basis<T>(mirror_axis).to_world(sample_uniform_cone(u, mirror_width)));
       if (!(dot(choice.direction, shading_normal) > 0)) choice.direction = folded(choice.direction);
@@ -233,7 +318,20 @@ auto Bsdf<T, with_facets>::sample(Lobe lobe, const Vec2<T>& u) const -> BsdfSamp
   }
   const bool behind = dot(geometric_normal, choice.direction) <= 0;
   if (behind != (lobe == Lobe::transparent)) return choice;
-  const BsdfValue at = evaluate(choice.direction, lobe);
+  const BsdfValue at = evaluate_inline(choice.direction, lobe);
+  if (!(at.pdf > 0)) return choice;
+  choice.weight = at.value * (1 / at.pdf);
+  choice.pdf = at.pdf;
+  return choice;
+}
+
+template <class T, bool with_facets>
+auto Bsdf<T, with_facets>::sample_glass(const Vec2<T>& u, T chosen_by) const -> BsdfSample {
+  const T choice_of_facet = among_choices(Lobe::mirror, chosen_by);
+  const auto [direction, through] = this->glass->sample_both(this->side, shading_normal, -incident, u, choice_of_facet);
+  BsdfSample choice{through ? Lobe::transparent : Lobe::mirror, direction, Rgb<T>(0), 0};
+  if ((dot(geometric_normal, direction) <= 0) != through) return choice;
+  const BsdfValue at = evaluate(direction, choice.lobe);
   if (!(at.pdf > 0)) return choice;
   choice.weight = at.value * (1 / at.pdf);
   choice.pdf = at.pdf;

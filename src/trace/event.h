@@ -6,6 +6,7 @@
 #include "math/words.h"
 #include "trace/optics.h"
 #include "trace/pseudocode.h"
+#include "trace/rough_dielectric.h"
 
 #include <memory>
 #include <optional>
@@ -78,6 +79,14 @@ template <class T>
 [[nodiscard]] SnellNumbers snell_numbers(const Refraction<T>& at) {
   return {static_cast<double>(at.n1), static_cast<double>(at.n2), static_cast<double>(at.cos_in),
           static_cast<double>(at.cos_out), static_cast<double>(at.fresnel())};
+}
+/// At the small facet of rough glass that turns one direction into the other, if there is one. `at`: at the surface as
+/// a whole.
+template <class T>
+[[nodiscard]] std::optional<SnellNumbers> snell_at_facet(const RoughDielectric<T>& glass, const Refraction<T>& at,
+                                                         const Vec3<T>& incident, const Vec3<T>& direction) {
+  const auto facet = glass.bends_by(glass.side_of(at.n1), incident, direction);
+  return facet ? std::optional(snell_numbers(*facet)) : std::nullopt;
 }
 
 /// In place of the index of a light.
@@ -266,6 +275,7 @@ struct PhotonsFound {
   Vec3d position, normal;
   PhotonCircle caustic, other;
   bool flat;
+  std::optional<Rgbd> answered;  ///< of a rough matt surface: what it sends on, times pi; else kd times the irradiance
 };
 
 /// add_light_of_photons.

@@ -95,9 +95,8 @@ template <class Policy>
 int PhotonTracer<Policy>::light_count_at(const EyeRay& ray, const Vertex& at) const {
   if (ray.gathers) return 0;
   const bool diffuse = !is_black(at.bsdf.diffuse);
-  const int lamps = diffuse || !is_black(at.specular) || at.bsdf.microsurface() != nullptr
-                        ? static_cast<int>(world_.lights.size())
-                        : 0;
+  const int lamps =
+      diffuse || !is_black(at.specular) || at.bsdf.by_facets() ? static_cast<int>(world_.lights.size()) : 0;
   if (!diffuse) return lamps;
   return lamps + (lights_.has_emitters() ? 1 : 0) + (lights_.has_environment() ? 1 : 0);
 }
@@ -166,7 +165,7 @@ std::optional<Ending> PhotonTracer<Policy>::aim_at_light(LightSample& light_samp
   const Vec3<T> l = to_light * (1 / distance);
   Rgb<T> radiance = light.strength * (1 / light.attenuation(distance));
   if (!light.is_isotropic) radiance *= light.falloff(l);
-  Rgb<T> answers = bsdf.diffuse * dot(bsdf.shading_normal, l);
+  Rgb<T> answers = bsdf.diffuse_answer(l, dot(bsdf.shading_normal, l));
   if (!is_black(at.specular)) {
     const Vec3<T> h = l - bsdf.incident;
     const T n_h = std::max(dot(bsdf.shading_normal, h) / length(h), T(0));
@@ -203,6 +202,13 @@ std::optional<Ending> PhotonTracer<Policy>::aim_at_emitter(LightSample& light_sa
   const T cos = dot(at.bsdf.shading_normal, to_light) / length(to_light);
   if (!(cos > 0) || !(dot(at.bsdf.geometric_normal, to_light) > 0) || !(pdf > 0)) return Ending::facing_away;
   const Rgb<T>& emission = world_.surface(light_sample.target.primitive).emission;
+  if constexpr (Policy::effects.microfacets) {
+    if (at.bsdf.matt != nullptr) {
+      const Rgb<T> answer = at.bsdf.diffuse_answer(to_light * (1 / length(to_light)), cos);
+      light_sample.contribution = (1 / (cosines() * pdf)) * at.throughput * answer * emission;
+      return std::nullopt;
+    }
+  }
   light_sample.contribution = (cos / (cosines() * pdf)) * at.throughput * at.bsdf.diffuse * emission;
   return std::nullopt;
 }
@@ -220,6 +226,14 @@ std::optional<Ending> PhotonTracer<Policy>::aim_at_environment(LightSample& ligh
     direction = Vec3<T>(drawn->direction);
     const T cos = dot(at.bsdf.shading_normal, direction);
     if (!(cos > 0) || !(dot(at.bsdf.geometric_normal, direction) > 0)) return Ending::facing_away;
+    if constexpr (Policy::effects.microfacets) {
+      if (at.bsdf.matt != nullptr) {
+        light_sample.contribution = static_cast<T>(1 / (static_cast<double>(pi_v<T>) * drawn->pdf)) * at.throughput *
+                                    at.bsdf.diffuse_answer(renormalize(direction), cos) *
+                                    Rgb<T>(world_.sky->radiance(drawn->direction));
+        return std::nullopt;
+      }
+    }
     light_sample.contribution = static_cast<T>(static_cast<double>(cos) / (static_cast<double>(pi_v<T>) * drawn->pdf)) *
                                 at.throughput * at.bsdf.diffuse * Rgb<T>(world_.sky->radiance(drawn->direction));
     return std::nullopt;
@@ -273,24 +287,34 @@ void PhotonTracer<Policy>::add_light(Rgb<T>& shade, const EyeRay& ray, const Lig
 }
 
 template <class Policy>
-PhotonCircle PhotonTracer<Policy>::circle_of(const PhotonMap& map, const Vec3d& position, const Vec3d& normal) const {
+PhotonCircle PhotonTracer<Policy>::circle_of(const PhotonMap& map, const Vertex& at, PhotonsFound& found) const {
   if (map.empty()) return {};
   const double squared = settings_.squared_radius(static_cast<int>(pass_) + first_pass_);
-  const PhotonsNear near = settings_.progressive ? map.within(position, normal, std::sqrt(squared))
-                                                 : map.nearest(position, normal, settings_.nearest, settings_.radius);
+  PhotonAnswer answer;
+  if constexpr (Policy::effects.microfacets) {
+    if (const RoughDiffuse<T>* matt = at.bsdf.matt)
+      answer = [matt, bsdf = &at.bsdf](const Photon& photon, const Vec3<float>& incident) {
+        return Rgbd(photon.power) *
+               Rgbd(matt->value(bsdf->diffuse, bsdf->shading_normal, -bsdf->incident, -Vec3<T>(incident)));
+      };
+  }
+  const PhotonsNear near = settings_.progressive
+                               ? map.within(found.position, found.normal, std::sqrt(squared), answer)
+                               : map.nearest(found.position, found.normal, settings_.nearest, settings_.radius, answer);
   if (!(near.squared_radius > 0) || std::isinf(near.squared_radius)) return {};
-  return {std::sqrt(near.squared_radius), near.count, near.power,
-          near.power * photon_density(near.squared_radius, settings_.flat)};
+  const double density = photon_density(near.squared_radius, settings_.flat);
+  if (answer) found.answered = found.answered.value_or(Rgbd(0.0)) + near.answered * density;
+  return {std::sqrt(near.squared_radius), near.count, near.power, near.power * density};
 }
 
 /// Caustics, where the surface is seen from the eye; other light there, or where final gathering ends.
 template <class Policy>
 PhotonsFound PhotonTracer<Policy>::find_nearest_photons(const EyeRay& ray, const Vertex& at) {
-  PhotonsFound found{ray.number, Vec3d(at.position), Vec3d(at.bsdf.geometric_normal), {}, {}, settings_.flat};
+  PhotonsFound found{ray.number, Vec3d(at.position), Vec3d(at.bsdf.geometric_normal), {}, {}, settings_.flat, {}};
   if (!is_black(at.bsdf.diffuse) && pass_ < maps_.size()) {
     const PhotonMaps& maps = maps_[pass_];
-    if (!ray.gathers) found.caustic = circle_of(maps.caustic, found.position, found.normal);
-    if (ray.gathers || !settings_.gather) found.other = circle_of(maps.other, found.position, found.normal);
+    if (!ray.gathers) found.caustic = circle_of(maps.caustic, at, found);
+    if (ray.gathers || !settings_.gather) found.other = circle_of(maps.other, at, found);
   }
   note(Line::find_nearest_photons, ray.length, [&] { return found; });
   return found;
@@ -300,7 +324,9 @@ template <class Policy>
 void PhotonTracer<Policy>::add_light_of_photons(Rgb<T>& shade, const EyeRay& ray, const Vertex& at,
                                                 const PhotonsFound& photons) {
   const Rgbd irradiance = photons.caustic.irradiance + photons.other.irradiance;
-  const Rgb<T> added = at.throughput * at.bsdf.diffuse * Rgb<T>(irradiance) * (1 / cosines());
+  Rgb<T> added = at.throughput * at.bsdf.diffuse * Rgb<T>(irradiance) * (1 / cosines());
+  if constexpr (Policy::effects.microfacets)
+    if (photons.answered) added = at.throughput * Rgb<T>(*photons.answered) * (1 / cosines());
   shade += added;
   note(Line::add_light_of_photons, ray.length,
        [&] { return PhotonsAdded{ray.number, irradiance, Rgbd(at.bsdf.diffuse), settings_.flat, Rgbd(added)}; });
@@ -324,13 +350,13 @@ auto PhotonTracer<Policy>::choose_direction(const EyeRay& ray, const Vertex& at)
     const Lobe lobe = bsdf.sample_lobe(u);
     Vec2<T> unit(0);
     if (bsdf.needs_direction(lobe)) {
-      const Effect effect = detail::effect_of(lobe, bsdf.microsurface() != nullptr);
+      const Effect effect = detail::effect_of(lobe, bsdf.by_facets());
       unit = draw_pair<T>(camera_.sampler(), key_at(at.length, detail::PhotonDimension::direction, effect),
                           camera_.strata());
       statistics_.drew(effect, 2);
     }
-    choice = sample_alone(bsdf, lobe, unit);
-    choice->weight *= 1 / bsdf.probability(lobe);
+    choice = sample_alone(bsdf, lobe, unit, u);
+    choice->weight *= 1 / bsdf.probability_of_choice(lobe);
     if (is_black(choice->weight)) choice.reset();
   }
   note(Line::gather_choose_direction, ray.length, [&] {
@@ -377,7 +403,7 @@ auto PhotonTracer<Policy>::form_next_ray(const EyeRay& ray, const Vertex& at, co
   note(Line::gather_form_next_ray, at.length, [&] {
     RayFormed event{next.number,          at.number, kind, Vec3d(next.ray.origin), Vec3d(choice.direction),
                     Rgbd(next.throughput)};
-    if (kind == RayKind::refract) event.snell = snell_numbers(at.refraction);
+    if (kind == RayKind::refract) event.snell = snell_numbers(at, choice.direction);
     return event;
   });
   return next;

@@ -4,6 +4,7 @@
 
 #include "math/sampling.h"
 #include "scene/metals.h"
+#include "trace/rough_diffuse.h"
 
 #include <algorithm>
 #include <array>
@@ -40,18 +41,82 @@ struct Conductor {
   }
 };
 
-/// Small mirrors whose slopes are distributed as those of an ellipsoid (GGX; T. Trowbridge and K. Reitz 1975; B. Walter
-/// et al., "Microfacet Models for Refraction through Rough Surfaces", EGSR 2007), and which hide each other as E. Heitz
-/// says ("Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs", JCGT 3(2), 2014; height-correlated).
-/// What one reflection loses, for light met a second mirror, comes back evenly: by the reflectance E of what is
-/// reflected once (C. Kulla and A. Conty, "Revisiting Physically Based Shading at Imageworks", SIGGRAPH courses 2017),
-/// so that a white surface is white.
+/// Normals of small facets, whose slopes are distributed as those of an ellipsoid (GGX; T. Trowbridge and K. Reitz
+/// 1975; B. Walter et al., "Microfacet Models for Refraction through Rough Surfaces", EGSR 2007).
 template <class T>
-class Microfacets {
+class Ggx {
  public:
-  /// `alpha`: in 0..1; half of the surface is steeper. At 0 it would be one mirror: `narrowest` is the least.
-  explicit Microfacets(T alpha);
+  /// `alpha`: in 0..1; half of the surface is steeper. At 0 it would be one facet: `narrowest` is the least.
+  explicit Ggx(T alpha) : alpha_(std::max(alpha, narrowest)) {}
   static constexpr T narrowest = T(0.001);
+
+  [[nodiscard]] T alpha() const { return alpha_; }
+  /// The density of normals over the hemisphere, by the projected area of the facets. Of unit vectors whose cosine is
+  /// near 1 the sine says more.
+  [[nodiscard]] T density(T cos, T squared_sin) const {
+    const T at = squared_sin + alpha_ * alpha_ * cos * cos;
+    return alpha_ * alpha_ / (pi_v<T> * at * at);
+  }
+  /// The share of the facets that is seen is G1 = 2 cos / (cos + root), and that is seen and lit from the same side
+  /// G2 = 2 cos cos' / (cos root' + cos' root).
+  [[nodiscard]] T root(T cos) const { return std::sqrt(alpha_ * alpha_ + (1 - alpha_ * alpha_) * cos * cos); }
+  /// One of the normals that the eye sees, by how much it sees of them, in a frame with the normal as +z (J. Dupuy and
+  /// A. Benyoub, "Sampling Visible GGX Normals with Spherical Caps", HPG 2023).
+  [[nodiscard]] Vec3<T> sample_half(const Vec3<T>& to_eye, const Vec2<T>& unit) const;
+
+ private:
+  T alpha_;
+};
+
+/// How much of the light from everywhere a rough surface sends on to an eye at once, E, in 0..1, by the cosine of the
+/// angle to the eye. What is lost, 1 - E, met several facets and comes back evenly: in proportion to 1 - E at both ends
+/// (C. Kulla and A. Conty, "Revisiting Physically Based Shading at Imageworks", SIGGRAPH courses 2017). `is_even`:
+/// whether E changes at all cosines, as it does about a critical angle.
+template <class T, bool is_even = false>
+class DirectionalAlbedo {
+ public:
+  /// The knots of E, at equal steps of the root of cos (1 + alpha) / (cos + alpha): E changes where the cosine is about
+  /// alpha or less. Where it changes everywhere, of the mean of that root and the cosine.
+  static constexpr std::size_t knots = is_even ? 128 : 64;
+  /// The cosine of a knot.
+  [[nodiscard]] static double cos_of(std::size_t knot, double alpha);
+  /// `at_knots`: E at their cosines.
+  DirectionalAlbedo(T alpha, const std::array<double, knots>& at_knots);
+
+  /// `cos`: in 0..1.
+  [[nodiscard]] T operator()(T cos) const {
+    const auto [below, share] = place_of(cos);
+    return albedo_[below] + share * (albedo_[below + 1] - albedo_[below]);
+  }
+  /// The mean of E over the hemisphere, by the cosine.
+  [[nodiscard]] T mean() const { return mean_; }
+  /// A direction by what is lost, in a frame with the normal as +z: from the cosines between two knots alike, by 1 - E
+  /// there.
+  [[nodiscard]] Vec3<T> sample_lost(const Vec2<T>& unit) const;
+  /// `cos`: of that direction.
+  [[nodiscard]] T pdf_lost(T cos) const { return lost_[place_of(cos).below] * cosine_hemisphere_pdf(cos); }
+
+ private:
+  struct Place {
+    std::size_t below;  ///< the knot
+    T share;            ///< of the way to the next
+  };
+  [[nodiscard]] Place place_of(T cos) const;
+  T alpha_;
+  std::array<T, knots> squared_cos_{}, albedo_{};
+  std::array<T, knots> lost_{};  ///< from a knot to the next, over its mean
+  std::array<T, knots> sum_{};   ///< of that, up to a knot
+  T mean_ = 1;
+};
+
+/// Small mirrors, which hide each other as E. Heitz says ("Understanding the Masking-Shadowing Function in
+/// Microfacet-Based BRDFs", JCGT 3(2), 2014; height-correlated). What one reflection loses, for light met a second
+/// mirror, comes back evenly, so that a white surface is white.
+template <class T>
+class Microfacets : public Ggx<T> {
+ public:
+  /// `alpha`: see Ggx.
+  explicit Microfacets(T alpha);
 
   /// A scattering function times the cosine, of mirrors that reflect everything, and the density with which `sample`
   /// returns the direction.
@@ -62,49 +127,22 @@ class Microfacets {
   };
   /// 0 below the surface.
   [[nodiscard]] Value evaluate(const Vec3<T>& normal, const Vec3<T>& to_eye, const Vec3<T>& to_light) const;
-  /// A direction to the light: by the mirrors that the eye sees (J. Dupuy and A. Benyoub, "Sampling Visible GGX Normals
-  /// with Spherical Caps", HPG 2023), or, for what is reflected again, by what is lost at first. May lie below the
-  /// surface.
+  /// A direction to the light: by the mirrors that the eye sees, or, for what is reflected again, by what is lost at
+  /// first. May lie below the surface.
   [[nodiscard]] Vec3<T> sample(const Vec3<T>& normal, const Vec3<T>& to_eye, Vec2<T> unit) const;
 
   /// E: what is reflected at once of light from everywhere. `cos`: of the angle to the eye, in 0..1.
-  [[nodiscard]] T reflectance(T cos) const;
+  [[nodiscard]] T reflectance(T cos) const { return albedo_(cos); }
   /// Its mean over the hemisphere, by the cosine.
-  [[nodiscard]] T mean_reflectance() const { return mean_; }
+  [[nodiscard]] T mean_reflectance() const { return albedo_.mean(); }
 
  private:
-  /// The density of normals over the hemisphere, by the projected area of the mirrors. Of unit vectors whose cosine is
-  /// near 1 the sine says more.
-  [[nodiscard]] T density(T cos, T squared_sin) const {
-    const T at = squared_sin + alpha_ * alpha_ * cos * cos;
-    return alpha_ * alpha_ / (pi_v<T> * at * at);
-  }
-  /// The share of the mirrors that is seen is G1 = 2 cos / (cos + root), and that is seen and lit
-  /// G2 = 2 cos cos' / (cos root' + cos' root).
-  [[nodiscard]] T root(T cos) const { return std::sqrt(alpha_ * alpha_ + (1 - alpha_ * alpha_) * cos * cos); }
-  [[nodiscard]] Vec3<T> sample_half(const Vec3<T>& to_eye, const Vec2<T>& unit) const;
-
-  /// The knots of E, at equal steps of the root of cos (1 + alpha) / (cos + alpha): E changes where the cosine is about
-  /// alpha or less.
-  static constexpr std::size_t knots = 64;
-  struct Place {
-    std::size_t below;  ///< the knot
-    T share;            ///< of the way to the next
-  };
-  [[nodiscard]] Place place_of(T cos) const;
-  /// Light that is reflected again: from the cosines between two knots alike, by 1 - E there.
-  [[nodiscard]] T pdf_again(T cos) const { return lost_[place_of(cos).below] * cosine_hemisphere_pdf(cos); }
-  [[nodiscard]] Vec3<T> sample_again(const Vec2<T>& unit) const;
-  T alpha_;
-  std::array<T, knots> squared_cos_{}, reflectance_{};
-  std::array<T, knots> lost_{};  ///< from a knot to the next, over its mean
-  std::array<T, knots> sum_{};   ///< of that, up to a knot
-  T mean_ = 1;
+  using Ggx<T>::density, Ggx<T>::root, Ggx<T>::sample_half;
+  DirectionalAlbedo<T> albedo_;
 };
 
-/// In a frame with the normal as +z.
 template <class T>
-Vec3<T> Microfacets<T>::sample_half(const Vec3<T>& to_eye, const Vec2<T>& unit) const {
+Vec3<T> Ggx<T>::sample_half(const Vec3<T>& to_eye, const Vec2<T>& unit) const {
   // The ellipsoid stretched to a sphere, of which the eye sees a cap.
   const Vec3<T> eye = normalize(Vec3<T>(alpha_ * to_eye.x, alpha_ * to_eye.y, to_eye.z));
   const Vec2<T> disk = sample_concentric_disk(unit);
@@ -121,7 +159,7 @@ Vec3<T> Microfacets<T>::sample(const Vec3<T>& normal, const Vec3<T>& to_eye, Vec
   const T cos = dot(normal, to_eye), again = 1 - reflectance(cos);
   if (unit.x < again) {
     unit.x /= again;
-    return basis.to_world(sample_again(unit));
+    return basis.to_world(albedo_.sample_lost(unit));
   }
   unit.x = (unit.x - again) / (1 - again);
   const Vec3<T> local(dot(basis.s, to_eye), dot(basis.t, to_eye), cos);
@@ -137,34 +175,29 @@ auto Microfacets<T>::evaluate(const Vec3<T>& normal, const Vec3<T>& to_eye, cons
   half /= length(half);
   const Vec3<T> aside = cross(normal, half);
   const T facets = density(dot(normal, half), dot(aside, aside));
-  const T eye_root = root(eye), light_root = root(light);
+  const T eye_root = root(eye), light_root = root(light), mean = mean_reflectance();
   const T again = 1 - reflectance(eye);
   Value value;
   // D G2 / (4 cos cos') cos'
   value.once = facets * light / (2 * (eye * light_root + light * eye_root));
-  value.again = mean_ < 1 ? again * (1 - reflectance(light)) / (pi_v<T> * (1 - mean_)) * light : T(0);
+  value.again = mean < 1 ? again * (1 - reflectance(light)) / (pi_v<T> * (1 - mean)) * light : T(0);
   value.half_cos = std::clamp(dot(to_eye, half), T(0), T(1));
   // D G1 / (4 cos)
-  value.pdf = (1 - again) * facets / (2 * (eye + eye_root)) + again * pdf_again(light);
+  value.pdf = (1 - again) * facets / (2 * (eye + eye_root)) + again * albedo_.pdf_lost(light);
   return value;
 }
 
-template <class T>
-auto Microfacets<T>::place_of(T cos) const -> Place {
+template <class T, bool is_even>
+auto DirectionalAlbedo<T, is_even>::place_of(T cos) const -> Place {
   const T c = std::clamp(cos, T(0), T(1));
-  const T at = std::sqrt(c * (1 + alpha_) / (c + alpha_)) * static_cast<T>(knots - 1);
+  const T root = std::sqrt(c * (1 + alpha_) / (c + alpha_));
+  const T at = (is_even ? (root + c) / 2 : root) * static_cast<T>(knots - 1);
   const auto below = std::min(static_cast<std::size_t>(at), knots - 2);
   return {below, at - static_cast<T>(below)};
 }
 
-template <class T>
-T Microfacets<T>::reflectance(T cos) const {
-  const auto [below, share] = place_of(cos);
-  return reflectance_[below] + share * (reflectance_[below + 1] - reflectance_[below]);
-}
-
-template <class T>
-Vec3<T> Microfacets<T>::sample_again(const Vec2<T>& unit) const {
+template <class T, bool is_even>
+Vec3<T> DirectionalAlbedo<T, is_even>::sample_lost(const Vec2<T>& unit) const {
   const auto above = std::upper_bound(sum_.begin() + 1, sum_.end() - 1, unit.x) - sum_.begin();
   const auto next = static_cast<std::size_t>(above), below = next - 1;
   const T part = sum_[next] - sum_[below];
@@ -180,14 +213,17 @@ Vec3<T> Microfacets<T>::sample_again(const Vec2<T>& unit) const {
 template <class T>
 [[nodiscard]] std::shared_ptr<const Microfacets<T>> microfacets_of(T alpha);
 
-/// What reflects at a surface: small mirrors or one, of metal or of anything that reflects all colours alike.
+/// What a surface consists of that is rough or of metal: what reflects at it, small mirrors or one, of metal or of
+/// anything that reflects all colours alike; and what is matt.
 template <class T>
 struct Microsurface {
   std::optional<Conductor<T>> metal;
   std::shared_ptr<const Microfacets<T>> facets;  ///< null: one mirror
   Rgb<T> again{1};                               ///< what is left of light that met several of the small mirrors
+  std::optional<RoughDiffuse<T>> matt;           ///< none: by Lambert
+  T glass = 0;  ///< alpha of a boundary that also transmits (trace/rough_dielectric.h); 0: smooth
 
-  /// Whether `facets` and `metal` are there, if it reflects, is as the material says.
+  /// Whether all of these are there is as the material says.
   explicit Microsurface(const Material& material);
   /// `cos`: of the angle of incidence, in 0..1.
   [[nodiscard]] Rgb<T> reflectance(T cos) const { return metal ? metal->reflectance(cos) : Rgb<T>(1); }
@@ -203,7 +239,9 @@ Microsurface<T>::Microsurface(const Material& material) {
     const MetalIndex index = refractive_index(material.mirror);
     metal = Conductor<T>{Rgb<T>(index.eta), Rgb<T>(index.k)};
   }
-  if (!material.is_rough()) return;
+  if (material.is_rough_diffuse()) matt.emplace(static_cast<T>(material.diffuse_roughness));
+  if (material.is_rough_glass()) glass = static_cast<T>(material.roughness);
+  if (!material.is_rough_mirror()) return;
   facets = microfacets_of(static_cast<T>(material.roughness));
   if (!metal) return;
   constexpr int steps = 256;

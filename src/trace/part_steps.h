@@ -56,7 +56,9 @@ template <class T>
   const T distance = light.distance(to_light);
   const Vec3<T> l = to_light / distance, h = l - ray.direction;
   const Rgb<T> radiance = arriving * light.strength * (light.falloff(l) / light.attenuation(distance));
-  PartLight<T> brought{radiance * at.bsdf.diffuse * std::max(dot(at.bsdf.shading_normal, l), T(0))};
+  const T cos = std::max(dot(at.bsdf.shading_normal, l), T(0));
+  PartLight<T> brought{radiance * at.bsdf.diffuse * cos};
+  if (at.bsdf.matt != nullptr) brought.diffuse = radiance * at.bsdf.diffuse_answer(l, cos);
   if (!is_black(at.specular))
     brought.specular =
         radiance * at.specular * power_of_cosine(dot(at.bsdf.shading_normal, h), dot(h, h), at.surface->shininess);

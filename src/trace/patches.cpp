@@ -139,6 +139,8 @@ std::vector<std::string> patch_losses(const Scene& scene) {
                          ": radiosity knows matt surfaces only");
       else if (!is_black(material.specular))
         losses.push_back(quoted(object.name) + " shows no highlights: radiosity knows matt surfaces only");
+      if (material.is_rough_diffuse())
+        losses.push_back(quoted(object.name) + " is lit as if it were smooth: radiosity knows Lambert's surfaces only");
     });
   if (scene.sky || !is_black(scene.background))
     losses.emplace_back(

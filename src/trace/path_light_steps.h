@@ -95,7 +95,7 @@ std::optional<Ending> PathTracer<Policy>::aim_at_light(LightSample& light_sample
     light_sample.contribution = at.throughput * radiance * (pi_v<T> * evaluate(at, l).value);
     return std::nullopt;
   }
-  Rgb<T> answers = bsdf.diffuse * dot(bsdf.shading_normal, l);
+  Rgb<T> answers = bsdf.diffuse_answer(l, dot(bsdf.shading_normal, l));
   if (!is_black(at.specular)) {
     const Vec3<T> h = l - bsdf.incident;
     const T n_h = std::max(dot(bsdf.shading_normal, h) / length(h), T(0));

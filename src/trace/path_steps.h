@@ -189,12 +189,12 @@ auto PathTracer<Policy>::choose_direction(const PathRay& ray, const Vertex& at) 
     const Lobe lobe = at.bsdf.sample_lobe(u);
     Vec2<T> unit(0);
     if (at.bsdf.needs_direction(lobe)) {
-      const Effect effect = detail::effect_of(lobe, at.bsdf.microsurface() != nullptr);
+      const Effect effect = detail::effect_of(lobe, at.bsdf.by_facets());
       unit = draw_pair<T>(camera_.sampler(), key_at(at.length, detail::PathDimension::direction, effect),
                           camera_.strata());
       statistics_.drew(effect, 2);
     }
-    choice = at.bsdf.sample(lobe, unit);
+    choice = at.bsdf.sample(lobe, unit, u);
     if (is_black(choice->weight)) choice.reset();
   }
   note(Line::choose_direction, ray.length, [&] {
@@ -251,7 +251,7 @@ auto PathTracer<Policy>::form_next_ray(const Vertex& at, const BsdfSample& choic
   note(Line::form_next_ray, at.length, [&] {
     RayFormed event{next.number,          at.number, kind, Vec3d(next.ray.origin), Vec3d(choice.direction),
                     Rgbd(next.throughput)};
-    if (kind == RayKind::refract) event.snell = snell_numbers(at.refraction);
+    if (kind == RayKind::refract) event.snell = snell_numbers(at, choice.direction);
     return event;
   });
   return next;

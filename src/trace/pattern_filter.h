@@ -78,7 +78,8 @@ class FollowedDifferential {
   void leave(const Bsdf<T, with_facets>& at, const Refraction<T>& refraction, const BsdfSample<T>& choice) {
     if (!active_) return;
     if (choice.lobe == Lobe::mirror) ray_ = reflect(ray_, at.incident, at.shading_normal, normal_);
-    if (choice.lobe == Lobe::transparent) ray_ = refract(ray_, at.incident, at.shading_normal, normal_, refraction);
+    if (choice.lobe == Lobe::transparent && !refraction.total())
+      ray_ = refract(ray_, at.incident, at.shading_normal, normal_, refraction);
     if (choice.pdf > 0) ray_ = scattered(ray_, choice.direction, choice.pdf, camera_.spacing());
   }
 

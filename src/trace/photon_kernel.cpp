@@ -94,7 +94,7 @@ Statistics PhotonKernel<T>::send_pass(int pass, const Stop& stop, const RunAll& 
   constexpr int chunk = 4096;
   const int chunks = (settings_.count + chunk - 1) / chunk;
   struct Stored {
-    std::vector<Photon> caustic, other;
+    StoredPhotons caustic, other;
     Statistics statistics;
   };
   std::vector<Stored> stored(static_cast<std::size_t>(chunks));
@@ -119,16 +119,20 @@ Statistics PhotonKernel<T>::send_pass(int pass, const Stop& stop, const RunAll& 
   };
   for_all(run_all, chunks, body);
   if (stopped) throw Stopped{};
-  std::vector<Photon> caustic, other;
+  StoredPhotons caustic, other;
+  const auto append = [](StoredPhotons& to, const StoredPhotons& more) {
+    to.photons.insert(to.photons.end(), more.photons.begin(), more.photons.end());
+    to.incidents.insert(to.incidents.end(), more.incidents.begin(), more.incidents.end());
+  };
   Statistics statistics;
   for (Stored& each : stored) {
-    caustic.insert(caustic.end(), each.caustic.begin(), each.caustic.end());
-    other.insert(other.end(), each.other.begin(), each.other.end());
+    append(caustic, each.caustic);
+    append(other, each.other);
     statistics += each.statistics;
     each = {};
   }
-  maps.caustic = PhotonMap(std::move(caustic), stop);
-  maps.other = PhotonMap(std::move(other), stop);
+  maps.caustic = PhotonMap(caustic, stop);
+  maps.other = PhotonMap(other, stop);
   return statistics;
 }
 

@@ -102,7 +102,8 @@ double squared_distance(const Photon& photon, const Vec3d& point) {
 
 }  // namespace
 
-PhotonMap::PhotonMap(std::vector<Photon> photons, const Stop& stop) {
+PhotonMap::PhotonMap(const StoredPhotons& stored, const Stop& stop) {
+  const std::vector<Photon>& photons = stored.photons;
   std::vector<PlacedPhoton> places(photons.size());
   for (std::size_t i = 0; i < photons.size(); ++i) {
     const Vec3<float>& at = photons[i].position;
@@ -112,6 +113,9 @@ PhotonMap::PhotonMap(std::vector<Photon> photons, const Stop& stop) {
   sort(0, places.size(), places, stop);
   photons_.reserve(photons.size());
   for (const PlacedPhoton& place : places) photons_.push_back(photons[place.index]);
+  if (stored.incidents.empty()) return;
+  incidents_.reserve(photons.size());
+  for (const PlacedPhoton& place : places) incidents_.push_back(stored.incidents[place.index]);
 }
 
 void PhotonMap::sort(std::size_t begin, std::size_t end, std::vector<PlacedPhoton>& places, const Stop& stop) {
@@ -161,7 +165,8 @@ void PhotonMap::search(const Vec3d& point, double& squared, Take&& take) const {
   }
 }
 
-PhotonsNear PhotonMap::nearest(const Vec3d& point, const Vec3d& normal, int k, double radius) const {
+PhotonsNear PhotonMap::nearest(const Vec3d& point, const Vec3d& normal, int k, double radius,
+                               const PhotonAnswer& answer) const {
   NearestHeap heap(static_cast<std::size_t>(k));
   double squared = radius * radius;
   search(point, squared, [&](std::size_t i, double apart) {
@@ -176,16 +181,22 @@ PhotonsNear PhotonMap::nearest(const Vec3d& point, const Vec3d& normal, int k, d
     found.power += Rgbd(photons_[entry.photon].power);
     ++found.count;
   }
+  if (answer && !incidents_.empty())
+    for (const NearestHeap::Entry& entry : heap.entries())
+      if (!heap.full() || entry.photon != heap.farthest().photon)
+        found.answered += answer(photons_[entry.photon], incidents_[entry.photon]);
   return found;
 }
 
-PhotonsNear PhotonMap::within(const Vec3d& point, const Vec3d& normal, double radius) const {
+PhotonsNear PhotonMap::within(const Vec3d& point, const Vec3d& normal, double radius,
+                              const PhotonAnswer& answer) const {
   PhotonsNear found;
   found.squared_radius = radius * radius;
   search(point, found.squared_radius, [&](std::size_t i, double apart) {
     if (!(apart <= found.squared_radius) || !is_on_same_side(photons_[i], normal)) return;
     found.power += Rgbd(photons_[i].power);
     ++found.count;
+    if (answer && !incidents_.empty()) found.answered += answer(photons_[i], incidents_[i]);
   });
   return found;
 }

@@ -7,7 +7,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace raywalk {
@@ -18,20 +20,31 @@ struct Photon {
   Vec3<float> normal;  ///< unit length, of the side that it arrived at
   Rgb<float> power;    ///< flux; in a flat world, flux per unit of height
 };
+/// In the order in which they were stored.
+struct StoredPhotons {
+  std::vector<Photon> photons;
+  std::vector<Vec3<float>> incidents;  ///< the direction that each travelled in, unit length; empty: nobody asks
+};
 
 /// What a search found.
 struct PhotonsNear {
   Rgbd power{0.0};            ///< of the photons inside the circle; the one that marks its edge is not among them
   int count = 0;              ///< of these
+  Rgbd answered{0.0};         ///< the sum of what `PhotonAnswer` makes of each, if asked
   double squared_radius = 0;  ///< of the circle
 };
+
+/// What a surface sends on of a photon's power: one whose answer depends on where light comes from.
+using PhotonAnswer = std::function<Rgbd(const Photon& photon, const Vec3<float>& incident)>;
 
 /// Photons that can be searched by place. The answers are a pure function of the list: the same on every machine.
 class PhotonMap {
  public:
   PhotonMap() = default;
   /// Sorts the photons into a kd-tree. `stop` may cancel that, which then throws Stopped.
-  explicit PhotonMap(std::vector<Photon> photons, const Stop& stop = {});
+  explicit PhotonMap(std::vector<Photon> photons, const Stop& stop = {})
+      : PhotonMap(StoredPhotons{std::move(photons), {}}, stop) {}
+  explicit PhotonMap(const StoredPhotons& stored, const Stop& stop = {});
 
   [[nodiscard]] bool empty() const { return photons_.empty(); }
   [[nodiscard]] std::size_t size() const { return photons_.size(); }
@@ -45,15 +58,18 @@ class PhotonMap {
   /// too large. Where the radius ends the search first, all in the circle count. Either way the estimate is unbiased
   /// where the light is the same all over the circle.
   [[nodiscard]] PhotonsNear nearest(const Vec3d& point, const Vec3d& normal, int k,
-                                    double radius = std::numeric_limits<double>::infinity()) const;
+                                    double radius = std::numeric_limits<double>::infinity(),
+                                    const PhotonAnswer& answer = {}) const;
   /// All photons in the circle.
-  [[nodiscard]] PhotonsNear within(const Vec3d& point, const Vec3d& normal, double radius) const;
+  [[nodiscard]] PhotonsNear within(const Vec3d& point, const Vec3d& normal, double radius,
+                                   const PhotonAnswer& answer = {}) const;
 
  private:
   void sort(std::size_t begin, std::size_t end, std::vector<struct PlacedPhoton>& places, const Stop& stop);
   template <class Take>
   void search(const Vec3d& point, double& squared, Take&& take) const;
 
+  std::vector<Vec3<float>> incidents_;
   std::vector<Photon> photons_;     ///< of each range the middle one splits; ranges of a few are lists
   std::vector<std::uint8_t> axes_;  ///< along which each photon splits its range
 };

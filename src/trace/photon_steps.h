@@ -88,6 +88,7 @@ template <class Policy>
 auto PhotonTracer<Policy>::arrive(const PhotonRay& photon, const Hit<T>& hit) -> Vertex {
   NoDifferential<T> none;
   Vertex at = prepare_vertex<Policy>(world_, nested_, photon, hit, statistics_, none);
+  take_flat(at);
   if (photon.lamp) at.throughput *= lights_.weight_at(*photon.lamp, hit.t);
   return at;
 }
@@ -105,8 +106,15 @@ void PhotonTracer<Policy>::store_photon(const PhotonRay& photon, const Vertex& a
   const Photon stored{Vec3<float>(at.position), Vec3<float>(at.bsdf.geometric_normal), Rgb<float>(at.throughput)};
   const bool of_caustic = photon.history == PhotonHistory::caustic;
   const bool of_other = photon.history == PhotonHistory::indirect || settings_.gather;
-  if (of_caustic) caustic_photons_.push_back(stored);
-  if (of_other) other_photons_.push_back(stored);
+  if (of_caustic) caustic_photons_.photons.push_back(stored);
+  if (of_other) other_photons_.photons.push_back(stored);
+  if constexpr (Policy::effects.microfacets) {
+    if (world_.has_rough_diffuse && !settings_.flat) {
+      const Vec3<float> incident(at.bsdf.incident);
+      if (of_caustic) caustic_photons_.incidents.push_back(incident);
+      if (of_other) other_photons_.incidents.push_back(incident);
+    }
+  }
   note(Line::store_photon, photon.length, [&] {
     return PhotonStored{photon.number,       Vec3d(at.position), Vec3d(at.bsdf.geometric_normal),
                         Rgbd(at.throughput), photon.history,     of_caustic || of_other};
@@ -131,11 +139,11 @@ auto PhotonTracer<Policy>::adjoint(const Vertex& at, Lobe lobe, const Vec3<T>& d
     case Lobe::highlight:
       return cos_out(geometric) / cos_in(geometric);
     case Lobe::mirror:
-      if (at.bsdf.microsurface() != nullptr) return both_ways();
+      if (at.bsdf.by_facets()) return both_ways();
       return at.bsdf.mirror_width > 0 ? cos_out(geometric) / cos_in(geometric) : T(1);
     case Lobe::transparent: {
-      const T ratio = at.refraction.n1 / at.refraction.n2;
-      return settings_.flat ? ratio : ratio * ratio;
+      const T ratio = at.refraction.n1 / at.refraction.n2, bent = settings_.flat ? ratio : ratio * ratio;
+      return at.bsdf.by_facets() ? bent * both_ways() : bent;
     }
     case Lobe::phase:
       break;
@@ -158,10 +166,10 @@ auto PhotonTracer<Policy>::choose_photon_direction(const PhotonRay& photon, cons
     if (at.bsdf.needs_direction(lobe)) {
       unit.x = random_unit<T>(key_at(at.length, detail::PhotonDimension::direction));
       unit.y = random_unit<T>(key_at(at.length, detail::PhotonDimension::direction + 1));
-      statistics_.drew(detail::effect_of(lobe, at.bsdf.microsurface() != nullptr), 2);
+      statistics_.drew(detail::effect_of(lobe, at.bsdf.by_facets()), 2);
     }
-    choice = sample_alone(at.bsdf, lobe, unit);
-    choice->weight *= adjoint(at, lobe, choice->direction) / at.bsdf.probability(lobe);
+    choice = sample_alone(at.bsdf, lobe, unit, u);
+    choice->weight *= adjoint(at, choice->lobe, choice->direction) / at.bsdf.probability_of_choice(lobe);
     if (!(max_component(choice->weight) > 0)) choice.reset();
   }
   note(Line::photon_choose_direction, photon.length, [&] {
@@ -211,16 +219,19 @@ auto PhotonTracer<Policy>::form_next_photon(const PhotonRay& photon, const Verte
   note(Line::photon_form_next_ray, at.length, [&] {
     RayFormed event{next.number,          at.number, RayKind::photon, Vec3d(next.ray.origin), Vec3d(choice.direction),
                     Rgbd(next.throughput)};
-    if (through) event.snell = snell_numbers(at.refraction);
+    if (through) event.snell = snell_numbers(at, choice.direction);
     return event;
   });
   return next;
 }
 
 template <class Policy>
-auto PhotonTracer<Policy>::sample_alone(const SurfaceBsdf& bsdf, Lobe lobe, const Vec2<T>& unit) const -> BsdfSample {
+auto PhotonTracer<Policy>::sample_alone(const SurfaceBsdf& bsdf, Lobe lobe, const Vec2<T>& unit,
+                                        [[maybe_unused]] T chosen_by) const -> BsdfSample {
   const SurfaceBsdf alone = bsdf.only(lobe);
-  if (!settings_.flat || !alone.needs_direction(lobe)) return alone.sample(lobe, unit);
+  T u = 0;
+  if constexpr (Policy::effects.microfacets) u = bsdf.among_choices(lobe, chosen_by);
+  if (!settings_.flat || !alone.needs_direction(lobe)) return alone.sample(lobe, unit, u);
   if (lobe == Lobe::diffuse) {
     // Lambert's cosine in the plane: the sine is uniform.
     const Vec3<T>& normal = bsdf.shading_normal;
@@ -229,7 +240,7 @@ auto PhotonTracer<Policy>::sample_alone(const SurfaceBsdf& bsdf, Lobe lobe, cons
     if (!(dot(choice.direction, bsdf.geometric_normal) > 0)) choice.weight = Rgb<T>(0);
     return choice;
   }
-  BsdfSample choice = alone.sample(lobe, unit);
+  BsdfSample choice = alone.sample(lobe, unit, u);
   choice.direction.z = 0;
   const T size = length(choice.direction);
   if (!(size > 0)) choice.weight = Rgb<T>(0);

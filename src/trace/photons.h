@@ -85,8 +85,8 @@ class PhotonTracer {
 
   [[nodiscard]] const Statistics& statistics() const { return statistics_; }
   /// What was stored, in order.
-  [[nodiscard]] std::vector<Photon>& caustic_photons() { return caustic_photons_; }
-  [[nodiscard]] std::vector<Photon>& other_photons() { return other_photons_; }
+  [[nodiscard]] StoredPhotons& caustic_photons() { return caustic_photons_; }
+  [[nodiscard]] StoredPhotons& other_photons() { return other_photons_; }
 
  private:
   using Medium = typename World<T>::Medium;
@@ -159,7 +159,7 @@ class PhotonTracer {
         // Add background and end
         return add_background(shade, *ray);
       }
-      const Vertex at = prepare_vertex<Policy>(world_, nested_, *ray, *nearest, statistics_, differential_);
+      const Vertex at = prepare(*ray, *nearest);
       // Add emission
       add_emission(shade, *ray, at);
       for (int light = 0; light < light_count_at(*ray, at); ++light) {
@@ -196,6 +196,16 @@ class PhotonTracer {
   bool there_is(const std::optional<PhotonRay>& photon);
   Nearest find_closest(const PhotonRay& photon);
   Vertex arrive(const PhotonRay& photon, const Hit<T>& hit);
+  /// In a flat world matt surfaces are Lambert's: what there is for rough ones is for all three dimensions.
+  void take_flat(Vertex& at) const {
+    if constexpr (Policy::effects.microfacets)
+      if (settings_.flat) at.bsdf.matt = nullptr;
+  }
+  Vertex prepare(const EyeRay& ray, const Hit<T>& hit) {
+    Vertex at = prepare_vertex<Policy>(world_, nested_, ray, hit, statistics_, differential_);
+    take_flat(at);
+    return at;
+  }
   bool decide_diffuse(const PhotonRay& photon, const Vertex& at);
   void store_photon(const PhotonRay& photon, const Vertex& at);
   std::optional<BsdfSample> choose_photon_direction(const PhotonRay& photon, const Vertex& at);
@@ -219,7 +229,8 @@ class PhotonTracer {
   bool find_intersection(const EyeRay& ray, const LightSample& light_sample);
   void add_light(Rgb<T>& shade, const EyeRay& ray, const LightSample& light_sample, bool visible);
   PhotonsFound find_nearest_photons(const EyeRay& ray, const Vertex& at);
-  [[nodiscard]] PhotonCircle circle_of(const PhotonMap& map, const Vec3d& position, const Vec3d& normal) const;
+  /// Adds to what a rough matt surface answers.
+  [[nodiscard]] PhotonCircle circle_of(const PhotonMap& map, const Vertex& at, PhotonsFound& found) const;
   void add_light_of_photons(Rgb<T>& shade, const EyeRay& ray, const Vertex& at, const PhotonsFound& photons);
   std::optional<BsdfSample> choose_direction(const EyeRay& ray, const Vertex& at);
   T decide_survival(const EyeRay& ray, const Vertex& at, const std::optional<BsdfSample>& choice);
@@ -228,7 +239,7 @@ class PhotonTracer {
   void put_in_pixel(const Pixel& pixel, const Rgb<T>& final, Put& put);
 
   /// A direction of this lobe alone, and its weight without the chance of the lobe.
-  [[nodiscard]] BsdfSample sample_alone(const SurfaceBsdf& bsdf, Lobe lobe, const Vec2<T>& unit) const;
+  [[nodiscard]] BsdfSample sample_alone(const SurfaceBsdf& bsdf, Lobe lobe, const Vec2<T>& unit, T chosen_by = 0) const;
   /// The integral of the cosine over all directions above a surface.
   [[nodiscard]] T cosines() const { return settings_.flat ? T(2) : pi_v<T>; }
 
@@ -260,7 +271,7 @@ class PhotonTracer {
   RandomKey key_;         ///< of the current photon, or of the pixel's current sample
   std::size_t pass_ = 0;  ///< of that sample, in maps_
   int rays_formed_ = 0;   ///< numbers the rays of a recording
-  std::vector<Photon> caustic_photons_, other_photons_;
+  StoredPhotons caustic_photons_, other_photons_;
   [[no_unique_address]] std::conditional_t<Policy::effects.nesting, NestedMedia<T>, NoNestedMedia<T>> nested_;
   [[no_unique_address]] std::conditional_t<Policy::effects.filtering, FollowedDifferential<T>, NoDifferential<T>>
       differential_;  ///< of the eye's ray: photons see patterns by points

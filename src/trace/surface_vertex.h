@@ -24,7 +24,7 @@ namespace detail {
     case Lobe::mirror:
       return by_facets ? Effect::microfacets : Effect::gloss;
     case Lobe::transparent:
-      return Effect::translucency;
+      return by_facets ? Effect::microfacets : Effect::translucency;
   }
   return Effect::indirect_light;
 }
@@ -51,6 +51,15 @@ struct SurfaceVertex {
   Refraction<T> refraction;  ///< only set where the surface transmits
   Bsdf<T, with_facets> bsdf;
 };
+
+/// Of a ray that goes on beyond the surface; of rough glass at the facet that turns it there, if one does.
+template <class T, bool with_facets>
+[[nodiscard]] std::optional<SnellNumbers> snell_numbers(const SurfaceVertex<T, with_facets>& at,
+                                                        const Vec3<T>& direction) {
+  if constexpr (with_facets)
+    if (at.bsdf.glass != nullptr) return snell_at_facet(*at.bsdf.glass, at.refraction, at.bsdf.incident, direction);
+  return snell_numbers(at.refraction);
+}
 
 /// Multiplies a colour of the surface, such as its diffuse one, by what checker and texture have at a point.
 /// Inlined, for each hit of a path asks it.
@@ -111,6 +120,7 @@ SurfaceVertex<T, Policy::effects.microfacets> prepare_vertex(const World<T>& wor
     bsdf.diffuse *= differential.pattern(hit, point, at.time);
   else
     texture(bsdf.diffuse, surface, primitives, hit.primitive, point, hit.part, at.time);
+  if constexpr (Policy::effects.microfacets) bsdf.matt = world.rough_diffuse(surface);
   at.specular = surface.specular;
   if (!is_black(surface.specular)) {
     bsdf.shininess = surface.shininess;
@@ -135,6 +145,15 @@ SurfaceVertex<T, Policy::effects.microfacets> prepare_vertex(const World<T>& wor
       }
       bsdf.transparent_axis = renormalize(*refract(ray.ray.direction, bsdf.shading_normal, at.refraction));
       bsdf.transparent_width = surface.translucency;
+    }
+    if constexpr (Policy::effects.microfacets) {
+      if (const RoughDielectric<T>* glass = world.rough_dielectric(surface, n1, n2); glass != nullptr && world.draws) {
+        bsdf.glass = glass;
+        bsdf.side = glass->side_of(n1);
+        bsdf.both = both;
+        bsdf.mirror = glass->reflectance(bsdf.side, at.refraction.cos_in) * both;
+        bsdf.transparent = both - bsdf.mirror;
+      }
     }
   }
   if (!is_black(bsdf.mirror)) {

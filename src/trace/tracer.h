@@ -119,7 +119,7 @@ class Tracer {
   using Nearest = std::optional<Hit<T>>;
   /// The hit, prepared for SHADE: position, normals and the weights that "If reflective" and "If transparent" test.
   struct ShadingPoint;
-  /// Of small mirrors one is chosen at random, whose weight the reflect ray then has.
+  /// Of small facets one is chosen at random, whose weight the reflect or the refract ray then has.
   using ShadedPoint = std::conditional_t<Policy::effects.microfacets, ShadingPoint, const ShadingPoint>;
   /// The sum over all lights; each one's term only when observed.
   struct DirectLighting;
@@ -185,7 +185,7 @@ class Tracer {
   std::optional<Shadow> form_shadow_ray(int depth, const ShadingPoint& at, const TreeRay& ray, const Light& light,
                                         int sample);
   std::optional<TreeRay> form_reflect_ray(int depth, ShadedPoint& at, const TreeRay& ray);
-  std::optional<TreeRay> form_refract_ray(int depth, const ShadingPoint& at, const TreeRay& ray);
+  std::optional<TreeRay> form_refract_ray(int depth, ShadedPoint& seen, const TreeRay& ray);
   template <class Draw>
   std::optional<TreeRay> form_secondary_ray(Line line, int depth, const ShadingPoint& at, const TreeRay& parent,
                                             RayKind kind, const Vec3<T>& sharp, const Rgb<T>& weight,
@@ -213,12 +213,16 @@ class Tracer {
   Vec3<T> light_point(const ShadingPoint& at, const TreeRay& ray, const Light& light, int sample);
   Vec3<T> sample_cone(const TreeRay& ray, const Vec3<T>& direction, T one_minus_cos, const Vec3<T>& facing_normal,
                       Effect effect);
-  /// Whether the reflect ray is drawn at random from small mirrors.
+  /// Whether the reflect or the refract ray is drawn at random from small facets.
   [[nodiscard]] bool draws_facet(const ShadingPoint& at, RayKind kind) const;
-  Vec3<T> sample_facet(ShadedPoint& at, const TreeRay& ray);
-  /// Of small mirrors, for light from a unit direction; 0 of others.
-  [[nodiscard]] static typename Microfacets<T>::Value evaluate_facets(const ShadingPoint& at, const TreeRay& ray,
-                                                                      const Vec3<T>& to_light);
+  Vec3<T> sample_facet(ShadedPoint& at, const TreeRay& ray, RayKind kind);
+  /// A scattering function times the cosine, and the density of a direction that is drawn.
+  struct FacetValue {
+    Rgb<T> weight{0}, value{0};  ///< kr of mirrors, of which `value` is the rest
+    T pdf = 0;
+  };
+  /// Of small facets, for light from a unit direction; 0 of others.
+  [[nodiscard]] static FacetValue evaluate_facets(const ShadingPoint& at, const TreeRay& ray, const Vec3<T>& to_light);
   bool decide_intersected(const Nearest& nearest);
   bool decide_reflective(int depth, const ShadingPoint& at);
   bool decide_transparent(int depth, const ShadingPoint& at);

@@ -89,30 +89,45 @@ auto Tracer<Policy>::sample_cone(const TreeRay& ray, const Vec3<T>& direction, T
 
 template <class Policy>
 bool Tracer<Policy>::draws_facet(const ShadingPoint& at, RayKind kind) const {
-  return kind == RayKind::reflect && world_.draws && at.mirror.microsurface && at.mirror.microsurface->facets;
+  if (!world_.draws) return false;
+  return at.facets.glass || (kind == RayKind::reflect && at.facets.mirror && at.facets.mirror->facets);
 }
 
 template <class Policy>
-auto Tracer<Policy>::evaluate_facets(const ShadingPoint& at, const TreeRay& ray, const Vec3<T>& to_light) ->
-    typename Microfacets<T>::Value {
-  const Microsurface<T>& own = *at.mirror.microsurface;
-  if (!own.facets || !(dot(at.geometric_normal(), to_light) > 0)) return {};
-  return own.facets->evaluate(at.shading_normal, -ray.ray.direction, to_light);
+auto Tracer<Policy>::evaluate_facets(const ShadingPoint& at, const TreeRay& ray, const Vec3<T>& to_light)
+    -> FacetValue {
+  const bool before = dot(at.geometric_normal(), to_light) > 0;
+  if (const RoughDielectric<T>* glass = at.facets.glass) {
+    if (before != (dot(at.shading_normal, to_light) > 0)) return {};
+    const auto value =
+        glass->evaluate(glass->side_of(at.refraction.n1), at.shading_normal, -ray.ray.direction, to_light);
+    return {Rgb<T>(1), glass->value(at.surface->reflection + at.surface->transmission, value), value.pdf};
+  }
+  if (!before || !at.facets.mirror || !at.facets.mirror->facets) return {};
+  const Microsurface<T>& own = *at.facets.mirror;
+  const auto value = own.facets->evaluate(at.shading_normal, -ray.ray.direction, to_light);
+  return {at.surface->reflection, own.value(value), value.pdf};
 }
 
-/// A direction to which one of the small mirrors reflects, or light that several have. Sets the weight of the reflect
-/// ray, which is 0 where it would go into the surface.
+/// A direction to which one of the small facets sends light, or light that several have. Sets the weight of the ray,
+/// which is 0 where it would go to the wrong side of the surface.
 template <class Policy>
-auto Tracer<Policy>::sample_facet(ShadedPoint& at, const TreeRay& ray) -> Vec3<T> {
-  const Microsurface<T>& own = *at.mirror.microsurface;
+auto Tracer<Policy>::sample_facet(ShadedPoint& at, const TreeRay& ray, RayKind kind) -> Vec3<T> {
+  const bool through = kind == RayKind::refract;
   RandomKey key = key_;
   key.effect = static_cast<std::uint32_t>(Effect::microfacets);
   key.path = ray.branch.path;
+  key.dimension = through ? 2 : 0;
   const Vec2<T> unit = draw_pair<T>(camera_.sampler(), key, camera_.strata());
   statistics_.drew(Effect::microfacets, 2);
-  const Vec3<T> direction = own.facets->sample(at.shading_normal, -ray.ray.direction, unit);
-  const auto value = evaluate_facets(at, ray, direction);
-  at.weights->reflection = value.pdf > 0 ? at.surface->reflection * own.value(value) * (1 / value.pdf) : Rgb<T>(0);
+  const Vec3<T>&normal = at.shading_normal, to_eye = -ray.ray.direction;
+  const RoughDielectric<T>* glass = at.facets.glass;
+  const Vec3<T> direction = glass ? glass->sample(glass->side_of(at.refraction.n1), through, normal, to_eye, unit)
+                                  : at.facets.mirror->facets->sample(normal, to_eye, unit);
+  const FacetValue value = evaluate_facets(at, ray, direction);
+  const bool goes_through = !(dot(at.geometric_normal(), direction) > 0);
+  (through ? at.weights->transmission : at.weights->reflection) =
+      value.pdf > 0 && goes_through == through ? value.weight * value.value * (1 / value.pdf) : Rgb<T>(0);
   return direction;
 }
 

@@ -22,9 +22,11 @@ struct Tracer<Policy>::ShadingPoint {
   struct Weights {
     Rgb<T> reflection, transmission;
   };
-  /// What a mirror consists of that is of metal or rough.
-  struct Mirror {
-    const Microsurface<T>* microsurface = nullptr;
+  /// What the surface consists of that is of metal or rough; null: it is smooth.
+  struct Facets {
+    const Microsurface<T>* mirror = nullptr;
+    const RoughDielectric<T>* glass = nullptr;
+    const RoughDiffuse<T>* matt = nullptr;
   };
   /// The factor of a checker or texture on the surface's colours.
   struct Tint {
@@ -62,7 +64,7 @@ struct Tracer<Policy>::ShadingPoint {
   std::optional<Rgb<T>> transmittance;  ///< of the absorbing object that the ray passed through
   [[no_unique_address]] Only<Policy::effects.textures, Tint> tint{};
   [[no_unique_address]] Only<Policy::effects.filtering, Neighbours> neighbours{};
-  [[no_unique_address]] Only<Policy::effects.microfacets, Mirror> mirror{};
+  [[no_unique_address]] Only<Policy::effects.microfacets, Facets> facets{};
   [[no_unique_address]] Only<Policy::effects.penumbra, RandomPairs> light_pairs{};  ///< sample points on lights, where
                                                                                     ///< drawn
 
@@ -150,10 +152,19 @@ inline auto Tracer<Policy>::prepare(const TreeRay& ray, const Hit<T>& hit) -> Sh
     }
   }
   if constexpr (Policy::effects.microfacets) {
-    at.mirror.microsurface = world_.microsurface(surface);
-    if (at.mirror.microsurface) {
+    at.facets = {world_.microsurface(surface), nullptr, world_.rough_diffuse(surface)};
+    if (at.facets.mirror) {
       const T cos = std::clamp(-dot(ray.ray.direction, at.shading_normal), T(0), T(1));
-      at.weights = {at.mirror.microsurface->reflectance(cos) * surface.reflection, surface.transmission};
+      at.weights = {at.facets.mirror->reflectance(cos) * surface.reflection, surface.transmission};
+    }
+    if (surface.transmits) {
+      const Refraction<T>& through = at.refraction;
+      at.facets.glass = world_.rough_dielectric(surface, through.n1, through.n2);
+      if (at.facets.glass && world_.draws) {
+        const Rgb<T> both = surface.reflection + surface.transmission;
+        const T reflected = at.facets.glass->reflectance(at.facets.glass->side_of(through.n1), through.cos_in);
+        at.weights = {reflected * both, (1 - reflected) * both};
+      }
     }
   }
   return at;

@@ -227,9 +227,14 @@ inline void Tracer<Policy>::add_light(DirectLighting& direct, const ShadingPoint
         radiance * at.surface->specular * power_of_cosine(dot(at.shading_normal, h), dot(h, h), at.surface->shininess);
   }
   if constexpr (Policy::effects.microfacets) {
-    if (at.mirror.microsurface)
-      specular +=
-          pi_v<T> * radiance * at.surface->reflection * at.mirror.microsurface->value(evaluate_facets(at, ray, l));
+    if (at.facets.mirror || at.facets.glass) {
+      const FacetValue shown = evaluate_facets(at, ray, l);
+      specular += pi_v<T> * radiance * shown.weight * shown.value;
+    }
+    if (at.facets.matt) {
+      const Rgb<T> sent = at.facets.matt->value(at.diffuse(), at.shading_normal, -ray.ray.direction, l);
+      return direct.add(light, radiance * sent * n_l, specular);
+    }
   }
   direct.add(light, radiance * at.diffuse() * n_l, specular);
 }
@@ -244,7 +249,8 @@ bool Tracer<Policy>::decide_reflective(int depth, const ShadingPoint& at) {
 template <class Policy>
 bool Tracer<Policy>::decide_transparent(int depth, const ShadingPoint& at) {
   const bool holds = !is_black(at.transmission());
-  const bool total = at.surface->transmits && at.refraction.total();
+  bool total = at.surface->transmits && at.refraction.total();
+  if constexpr (Policy::effects.microfacets) total = total && !holds;  // some facets let it through
   if (total) ++statistics_.ends(Ending::total_internal_reflection);
   note(Line::if_transparent, depth, [&] {
     Decided event{holds, Rgbd(at.transmission())};
@@ -263,20 +269,28 @@ auto Tracer<Policy>::form_reflect_ray(int depth, ShadedPoint& at, const TreeRay&
   });
   return form_secondary_ray(Line::form_reflect_ray, depth, at, ray, RayKind::reflect, direction, at.reflection(), [&] {
     if constexpr (Policy::effects.microfacets)
-      if (draws_facet(at, RayKind::reflect)) return sample_facet(at, ray);
+      if (draws_facet(at, RayKind::reflect)) return sample_facet(at, ray, RayKind::reflect);
     return sample_cone(ray, direction, at.surface->gloss, at.geometric_normal(), Effect::gloss);
   });
 }
 
 template <class Policy>
-auto Tracer<Policy>::form_refract_ray(int depth, const ShadingPoint& seen, const TreeRay& ray)
-    -> std::optional<TreeRay> {
+auto Tracer<Policy>::form_refract_ray(int depth, ShadedPoint& seen, const TreeRay& ray) -> std::optional<TreeRay> {
   Faultable<ShadingPoint> at = seen;
   if constexpr (Policy::faulty) {
     if (world_.fault == Fault::refraction_inverted) {
       at.refraction = refraction_at(ray.ray.direction, at.shading_normal, at.refraction.n2, at.refraction.n1);
       // Where the inverted law has no solution, the ray continues straight on.
       if (at.refraction.total()) at.refraction = refraction_at(ray.ray.direction, at.shading_normal, T(1), T(1));
+    }
+  }
+  if constexpr (Policy::effects.microfacets) {
+    if (draws_facet(seen, RayKind::refract)) {
+      if constexpr (Policy::faulty) seen.refraction = at.refraction;
+      const auto sharp = refract(ray.ray.direction, seen.shading_normal, seen.refraction);
+      return form_secondary_ray(Line::form_refract_ray, depth, seen, ray, RayKind::refract,
+                                renormalize(sharp.value_or(ray.ray.direction)), seen.transmission(),
+                                [&] { return sample_facet(seen, ray, RayKind::refract); });
     }
   }
   // decide_transparent saw a weight, so the refraction is not total and the direction exists.
@@ -334,6 +348,9 @@ inline auto Tracer<Policy>::form_secondary_ray(Line line, int depth, const Shadi
   note(line, depth, [&] {
     RayFormed event{formed.number, parent.number, kind, Vec3d(formed.ray.origin), Vec3d(direction), Rgbd(throughput)};
     if (kind == RayKind::refract) event.snell = snell_numbers(at.refraction);
+    if constexpr (Policy::effects.microfacets)
+      if (kind == RayKind::refract && draws_facet(at, kind))
+        event.snell = snell_at_facet(*at.facets.glass, at.refraction, parent.ray.direction, direction);
     return event;
   });
   return formed;
@@ -349,8 +366,11 @@ auto Tracer<Policy>::differential_after(const ShadingPoint& at, const TreeRay& r
   const NormalDifferential<T> normal = normal_differential(
       arrived, world_.accelerator.primitives(), at.departure.primitive, point, at.departure.part, ray.ray.time, N);
   const bool reflects = kind == RayKind::reflect;
-  const RayDifferential<T> sharp =
-      reflects ? reflect(arrived, D, N, normal) : refract(arrived, D, N, normal, at.refraction);
+  RayDifferential<T> sharp = arrived;
+  if (reflects)
+    sharp = reflect(arrived, D, N, normal);
+  else if (!at.refraction.total())  // some facets let it through
+    sharp = refract(arrived, D, N, normal, at.refraction);
   if constexpr (Policy::effects.microfacets)
     if (draws_facet(at, kind))
       return scattered(sharp, direction, evaluate_facets(at, ray, direction).pdf, camera_.spacing());

@@ -223,6 +223,28 @@ class Flattener {
   int top_ = 0;
 };
 
+/// What rough surfaces need to know of the whole world: glass, between its index and those of what may touch it: air,
+/// and where bodies nest, the others.
+template <class T>
+void prepare_rough_surfaces(World<T>& world) {
+  for (const Microsurface<T>& each : world.microsurfaces)
+    world.has_rough_diffuse = world.has_rough_diffuse || each.matt.has_value();
+  for (std::size_t i = 0; i < world.microsurfaces.size(); ++i) {
+    const auto& its = world.surfaces[i];
+    const T alpha = world.microsurfaces[i].glass;
+    if (!(alpha > 0) || !its.transmits || !its.dielectric) continue;
+    std::vector<T> others{T(1)};
+    for (const auto& other : world.surfaces)
+      if (its.nests && other.transmits) others.push_back(other.ior);
+    std::sort(others.begin(), others.end());
+    others.erase(std::unique(others.begin(), others.end()), others.end());
+    world.rough_dielectrics.resize(world.surfaces.size());
+    for (const T other : others)
+      if (RoughDielectric<T>::bends(its.ior, other))
+        world.rough_dielectrics[i].push_back(rough_dielectric_of(alpha, its.ior, other));
+  }
+}
+
 }  // namespace
 
 template <class T>
@@ -264,6 +286,7 @@ World<T>::World(const Scene& scene, AcceleratorKind kind, std::optional<Fault> i
   }
   bodies = bodies_that_nest(*this, scene.camera);
   for (Surface& each : surfaces) each.nests = !bodies.empty();
+  prepare_rough_surfaces(*this);
 }
 
 template <class T>

@@ -6,6 +6,7 @@
 #include "trace/bodies.h"
 #include "trace/fault.h"
 #include "trace/microfacets.h"
+#include "trace/rough_dielectric.h"
 #include "trace/sky_light.h"
 #include "trace/texture.h"
 #include "trace/texture_pyramid.h"
@@ -178,8 +179,11 @@ struct World {
   std::vector<std::string> leaf_names;
   /// By surface; empty where the scene filters nothing. Beside the surfaces, whose size each hit pays for.
   std::vector<PatternFilter> pattern_filters;
-  std::vector<Microsurface<T>> microsurfaces;  ///< the same; empty where no mirror is of metal or rough
-  Accelerator<T> accelerator;                  ///< constructed last: building it fills the lists above
+  std::vector<Microsurface<T>> microsurfaces;  ///< the same; empty where nothing is of metal or rough
+  bool has_rough_diffuse = false;              ///< whether one of them is matt
+  /// The same: of rough glass, between its index and each that may be on the other side. Empty where there is none.
+  std::vector<std::vector<std::shared_ptr<const RoughDielectric<T>>>> rough_dielectrics;
+  Accelerator<T> accelerator;  ///< constructed last: building it fills the lists above
   std::optional<Fault> fault;
   Numerics numerics;
   bool occludes;  ///< shadow rays are traced
@@ -205,6 +209,19 @@ struct World {
     if (microsurfaces.empty()) return nullptr;
     const Microsurface<T>& found = microsurfaces[static_cast<std::size_t>(&its - surfaces.data())];
     return found.metal || found.facets ? &found : nullptr;
+  }
+  /// The same of a matt surface; null where it is smooth.
+  [[nodiscard]] const RoughDiffuse<T>* rough_diffuse(const Surface& its) const {
+    if (microsurfaces.empty()) return nullptr;
+    const auto& found = microsurfaces[static_cast<std::size_t>(&its - surfaces.data())].matt;
+    return found ? &*found : nullptr;
+  }
+  /// The same of a boundary that transmits, between indices of refraction; null where it is smooth, or bends nothing.
+  [[nodiscard]] const RoughDielectric<T>* rough_dielectric(const Surface& its, T n1, T n2) const {
+    if (rough_dielectrics.empty()) return nullptr;
+    for (const auto& one : rough_dielectrics[static_cast<std::size_t>(&its - surfaces.data())])
+      if (one->is_between(n1, n2)) return one.get();
+    return nullptr;
   }
   /// Of one of the surfaces.
   [[nodiscard]] const PatternFilter& pattern_filter(const Surface& its) const {

@@ -92,6 +92,18 @@ TEST_CASE("a glTF file whose buffer is a file beside it, or in a data URI") {
   CHECK(inside->mesh->positions[0] == Vec3d(0.0));
 }
 
+TEST_CASE("glass of a glTF file is as rough as the square of what it calls roughness") {
+  const auto glass = replaced(
+      accessors, R"("emissiveFactor": [0, 0, 2])",
+      R"("extensions": {"KHR_materials_transmission": {"transmissionFactor": 1}, "KHR_materials_ior": {"ior": 1.4}})");
+  const auto read = parse_gltf(glb(gltf(plain_node, "", glass)), "a.glb");
+  if (!read) FAIL(read.error().text());
+  const Material& material = read->materials->front();
+  CHECK(material.is_rough_glass());
+  CHECK(material.roughness == 0.25);
+  CHECK(material.ior == 1.4);
+}
+
 TEST_CASE("that a glTF file's textures are not read is said once, whatever is wrong with them") {
   const auto warnings = [](const std::string& materials) {
     const std::string textures =

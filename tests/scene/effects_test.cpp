@@ -118,7 +118,7 @@ TEST_CASE("filtering is called for by a checker or an image with a filter") {
 TEST_CASE("microfacets are called for by a mirror that is rough or of metal") {
   Material material;
   material.roughness = 0.2, material.mirror = MirrorKind::gold;
-  CHECK(effects_of(scene_of(material))[Effect::microfacets].why == "none: no mirror is of metal or rough");
+  CHECK(effects_of(scene_of(material))[Effect::microfacets].why == "none: nothing is of metal or rough");
   material.reflection = Rgbd(1.0);
   CHECK(effects_of(scene_of(material))[Effect::microfacets].why == "Ball is a mirror of metal");
   CHECK(integrator_of(scene_of(material)) == Integrator::distributed);
@@ -133,6 +133,38 @@ TEST_CASE("microfacets are called for by a mirror that is rough or of metal") {
   CHECK(effects_of(scene)[Effect::microfacets].why == "none: reflection is switched off");
   scene.render.integrator = Integrator::cast;
   CHECK(effects_of(scene)[Effect::microfacets].why == "none: cast follows no ray beyond the first hit");
+}
+
+TEST_CASE("microfacets are called for by rough glass, and by what is matt and rough") {
+  Material glass;
+  glass.transmission = Rgbd(0.9);
+  glass.roughness = 0.2;
+  CHECK_FALSE(effects_of(scene_of(glass)).used(Effect::microfacets));  // kr and kt of one's own are not of facets
+  glass.dielectric = true;
+  Scene scene = scene_of(glass);
+  CHECK(effects_of(scene)[Effect::microfacets].why == "Ball is glass of small facets");
+  CHECK(integrator_of(scene) == Integrator::distributed);
+  CHECK_FALSE(effects_of(scene).used(Effect::translucency));
+  scene.render.integrator = Integrator::cones;
+  CHECK(effects_of(scene)[Effect::microfacets].why == "none: cones takes rough glass as clear");
+  scene.render.integrator = Integrator::path;
+  scene.render.switches.refraction = false;
+  CHECK_FALSE(effects_of(scene).used(Effect::microfacets));
+
+  Material dust;
+  dust.diffuse_roughness = 0.5;
+  scene = scene_of(dust);
+  for (const Integrator integrator : {Integrator::cast, Integrator::whitted, Integrator::path, Integrator::cones}) {
+    scene.render.integrator = integrator;
+    CHECK(effects_of(scene)[Effect::microfacets].why == "Ball is matt and rough");
+  }
+  scene.render.integrator = Integrator::automatic;
+  CHECK(integrator_of(scene) == Integrator::whitted);
+  scene.render.integrator = Integrator::radiosity;
+  CHECK(effects_of(scene)[Effect::microfacets].why == "none: radiosity takes matt surfaces as smooth");
+  scene.render.integrator = Integrator::path;
+  scene.objects[1].material.diffuse = Rgbd(0.0);
+  CHECK_FALSE(effects_of(scene).used(Effect::microfacets));
 }
 
 TEST_CASE("indirect light is called for by paths where a surface sends light on") {

@@ -40,9 +40,11 @@ inline constexpr std::array<std::string_view, 27> path_messages{"walk.path_calle
                                                                 "walk.path_absorbed",
                                                                 "walk.next_formed"};
 
-/// Of rough mirrors alone.
-inline constexpr std::array<std::string_view, 3> rough_messages{"walk.direction_small_mirror", "walk.next_counts",
-                                                                "walk.photon_small_mirror"};
+/// Of rough surfaces alone.
+inline constexpr std::array<std::string_view, 8> rough_messages{
+    "walk.direction_small_mirror", "walk.next_counts",          "walk.photon_small_mirror",
+    "walk.direction_small_facet",  "walk.direction_rough_matt", "walk.photon_small_facet",
+    "walk.refract_formed_facet",   "walk.refract_formed_facets"};
 
 /// Of PHOTON MAPPING alone.
 inline constexpr std::array<std::string_view, 36> photon_messages{

@@ -138,6 +138,36 @@ TEST_CASE("of a rough mirror it is said that a small one reflects, and not that 
   CHECK(counted > 0);
 }
 
+TEST_CASE("of rough glass and of what is matt and rough it is said by what light goes on") {
+  const auto document = read_scene(std::string(RAYWALK_SOURCE_DIR) + "/scenes/metals.toml");
+  REQUIRE(document.has_value());
+  Scene scene = document->scene;
+  Material glass, dust;
+  glass.diffuse = Rgbd(0.0), glass.transmission = Rgbd(1.0);
+  glass.dielectric = true, glass.roughness = 1;
+  dust.diffuse_roughness = 1;
+  for (Object& each : scene.objects) each.material = each.name == "Rough Gold" ? dust : glass;
+  for (const auto& [integrator, wanted] :
+       {std::pair(Integrator::path, std::set<std::string_view>{"walk.direction_small_facet",
+                                                               "walk.direction_rough_matt", "walk.next_counts"}),
+        std::pair(Integrator::distributed,
+                  std::set<std::string_view>{"walk.refract_formed_facet", "walk.refract_formed_facets"}),
+        std::pair(Integrator::photons, std::set<std::string_view>{"walk.photon_small_facet"})}) {
+    scene.render.integrator = integrator;
+    const Timeline timeline = record_strip(scene, {Precision::double_, {8}});
+    std::set<std::string_view> found;
+    for (int position = 1; position <= timeline.steps(); ++position)
+      found.insert(describe(scene, timeline, position).id);
+    for (const std::string_view id : wanted) {
+      INFO(id);
+      CHECK(found.count(id) == 1);
+    }
+    for (const std::string_view not_said :
+         {"walk.direction_transparent", "walk.refract_formed_in", "walk.photon_passed"})
+      CHECK(found.count(not_said) == 0);
+  }
+}
+
 TEST_CASE("every message about a sky is reached") {
   const auto document = read_scene(std::string(RAYWALK_SOURCE_DIR) + "/scenes/gold.toml");
   REQUIRE(document.has_value());

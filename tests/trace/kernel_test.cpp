@@ -28,6 +28,7 @@ Scene scene_for(const HitEffects& set) {
     for (Object& one : scene.objects)
       if (!one.material.transmits()) one.material.mirror = MirrorKind::copper;
     scene.objects[1].material.gloss = 0, scene.objects[1].material.roughness = 0.2;
+    for (Object& one : scene.objects) one.material.diffuse_roughness = 0.6;
   }
   if (set.nesting) {
     Object bubble = scene.objects[2];

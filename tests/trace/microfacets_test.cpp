@@ -3,9 +3,9 @@
 
 #include "trace/microfacets.h"
 
-#include "math/sampler.h"
 #include "scene/metals.h"
 #include "trace/bsdf.h"
+#include "trace/chi_square.h"
 #include "trace/drawn.h"
 #include "trace/optics.h"
 
@@ -13,7 +13,7 @@
 #include <cmath>
 #include <complex>
 #include <limits>
-#include <vector>
+#include <optional>
 
 #include "support/catch.h"
 #include "support/effort.h"
@@ -190,44 +190,11 @@ TEST_CASE("directions from small mirrors pass the chi-square test") {
       CAPTURE(alpha, cos);
       const Microfacets<double> facets(alpha);
       const Vec3d eye = above(cos, 0);
-      constexpr int bands = 24, sectors = 16, fine = 24;
-      constexpr std::uint32_t n = 200000;
-      const auto cell_of = [](double z, double turn) {
-        const int band = std::min(static_cast<int>(z * bands), bands - 1);
-        const int sector = std::min(static_cast<int>((turn / (2 * pi_v<double>)+0.5) * sectors), sectors - 1);
-        return static_cast<std::size_t>(band * sectors + sector);
+      const auto pdf = [&](const Vec3d& d) { return facets.evaluate({0, 0, 1}, eye, d).pdf; };
+      const auto draw = [&](const Vec2d& unit) -> std::optional<Vec3d> {
+        const Vec3d d = facets.sample({0, 0, 1}, eye, unit);
+        return d.z > 0 ? std::optional(d) : std::nullopt;
       };
-      std::vector<double> expected(bands * sectors);
-      for (int i = 0; i < bands * fine; ++i)
-        for (int j = 0; j < sectors * fine; ++j) {
-          const double z = (i + 0.5) / (bands * fine);
-          const double turn = ((j + 0.5) / (sectors * fine) - 0.5) * 2 * pi_v<double>;
-          expected[cell_of(z, turn)] += facets.evaluate({0, 0, 1}, eye, above(z, turn)).pdf * 2 * pi_v<double> * n /
-                                        (bands * fine * sectors * fine);
-        }
-      std::vector<double> held(bands * sectors);
-      for (std::uint32_t i = 0; i < n; ++i) {
-        RandomKey key{};
-        key.sample = i;
-        const Vec3d d = facets.sample({0, 0, 1}, eye, draw_pair<double>(Sampler::random, key, Strata(n)));
-        if (d.z > 0) ++held[cell_of(d.z, std::atan2(d.y, d.x))];
-      }
-      double chi = 0, pooled_expected = 0, pooled_held = 0;
-      int freedom = -1;  // what goes below the surface is not counted, but its share is not known either
-      for (std::size_t c = 0; c < held.size(); ++c) {
-        if (expected[c] < 10) {
-          pooled_expected += expected[c], pooled_held += held[c];
-          continue;
-        }
-        chi += (held[c] - expected[c]) * (held[c] - expected[c]) / expected[c];
-        ++freedom;
-      }
-      if (pooled_expected > 10) {
-        chi += (pooled_held - pooled_expected) * (pooled_held - pooled_expected) / pooled_expected;
-        ++freedom;
-      }
-      // Wilson and Hilferty: the cube root of chi-square over its freedom is nearly normal.
-      const double f = freedom, z = (std::cbrt(chi / f) - (1 - 2 / (9 * f))) / std::sqrt(2 / (9 * f));
-      CHECK(z < 4);
+      CHECK(chi_square_deviation(200000, pdf, draw) < 4);
     }
 }

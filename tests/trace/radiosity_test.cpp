@@ -346,6 +346,10 @@ TEST_CASE("what radiosity cannot do is refused by name, what it leaves out is sa
   scene = of({{"Ball", Sphere<double>{{0, 0, 0}, 1}, matt(0.5)}});
   CHECK_FALSE(why_no_patches(scene));
   CHECK(patch_losses(scene).empty());
+  scene.objects[0].material.diffuse_roughness = 0.5;
+  REQUIRE(patch_losses(scene).size() == 1);
+  CHECK_THAT(patch_losses(scene)[0], contains("\"Ball\"") && contains("smooth"));
+  scene.objects[0].material.diffuse_roughness = 0;
   scene.objects[0].motion = {{0, {0, 0, 0}}, {1, {1, 0, 0}}};
   REQUIRE(why_no_patches(scene));
   CHECK_THAT(why_no_patches(scene)->text(), contains("\"Ball\"") && contains("moves"));

@@ -1,0 +1,52 @@
+#pragma once
+// Integrals over the facets that an eye sees, for the albedos of rough surfaces.
+
+#include "math/sampling.h"
+#include "trace/microfacets.h"
+
+#include <cmath>
+
+namespace raywalk::detail {
+
+/// The integral of `f` from a to b by Simpson's rule, whose halves are halved again where they differ from the whole.
+/// `f_mid`: in the middle.
+template <class F>
+double simpson(const F& f, double a, double b, double f_a, double f_mid, double f_b, double tolerance, int depth) {
+  const double mid = (a + b) / 2, left = f((a + mid) / 2), right = f((mid + b) / 2), size = (b - a) / 6;
+  const double whole = size * (f_a + 4 * f_mid + f_b);
+  const double halves = size / 2 * (f_a + 4 * left + 2 * f_mid + 4 * right + f_b);
+  if (depth == 0 || std::abs(halves - whole) < tolerance) return halves + (halves - whole) / 15;
+  return simpson(f, a, mid, f_a, left, f_mid, tolerance / 2, depth - 1) +
+         simpson(f, mid, b, f_mid, right, f_b, tolerance / 2, depth - 1);
+}
+/// Over the parts of 0..1.
+template <class F>
+double integral(const F& f, double tolerance) {
+  constexpr int parts = 4, deepest = 8;
+  double sum = 0;
+  for (int i = 0; i < parts; ++i) {
+    const double from = static_cast<double>(i) / parts, to = static_cast<double>(i + 1) / parts;
+    sum += simpson(f, from, to, f(from), f((from + to) / 2), f(to), tolerance / parts, deepest);
+  }
+  return sum;
+}
+
+/// The mean of `f` over the normals that the eye sees of GGX: over a cap of the sphere, whose height is evenly
+/// distributed. `f`: of a normal, in the frame where to_eye = (sin, 0, cos) and the surface's normal is +z; left and
+/// right are alike. It may jump, where a facet sends light to the other side of the surface: hence Simpson's rule.
+template <class F>
+double mean_over_facets(double alpha, double cos, double tolerance, const F& f) {
+  const Vec3d to_eye(std::sqrt(1 - cos * cos), 0, cos), eye = normalize(Vec3d(alpha * to_eye.x, 0, to_eye.z));
+  const auto at_height = [&](double height) {
+    const double z = height * (1 + eye.z) - eye.z, radius = std::sqrt(std::max(1 - z * z, 0.0));
+    const auto at_half_turn = [&](double share) {
+      const auto [sin, cosine] = portable::sin_cos(pi_v<double> * share);
+      return f(to_eye,
+               normalize(Vec3d(alpha * (radius * cosine + eye.x), alpha * radius * sin, std::max(z + eye.z, 1e-12))));
+    };
+    return integral(at_half_turn, tolerance);
+  };
+  return integral(at_height, tolerance);
+}
+
+}  // namespace raywalk::detail
