@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "fixtures.h"
 #include "io/scene_file.h"
@@ -87,6 +88,66 @@ TEST_CASE("the lobe of a rough mirror points where light is mirrored to, and is 
     REQUIRE(smooth > 0);
     update(state, action::Jump{smooth});
     CHECK_FALSE(lobe(state));
+  }
+}
+
+TEST_CASE("the lobe of rough glass is on both sides, that of a rough matt surface leans to where light comes from") {
+  const auto with = [](const Material& material, Integrator integrator) {
+    Scene scene = metals(integrator).scene();
+    for (Object& each : scene.objects)
+      if (each.name == "Rough Gold") each.material = material;
+    State state = state_of(scene);
+    state.plan.viewport = {900, 620};
+    update(state, action::SetMode{Mode::trace});
+    update(state, action::Jump{hit_of(state, "Rough Gold")});
+    return state;
+  };
+  // How far the curve goes on the side of the normal, and beyond.
+  const auto reaches = [](const State& state) {
+    const auto curve = lobe(state);
+    REQUIRE(curve);
+    const Timeline& timeline = *state.walk.timeline;
+    const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(timeline.current_ray(state.walk.position))];
+    double before = 0, beyond = 0;
+    for (const Vec2d& at : curve->points) {
+      const Vec2d from = at - curve->points[0];
+      const double up = from.x * ray.normal.x - from.y * ray.normal.y;
+      before = std::max(before, up), beyond = std::max(beyond, -up);
+    }
+    return std::pair(before, beyond);
+  };
+  Material glass;
+  glass.diffuse = Rgbd(0.0), glass.transmission = Rgbd(1.0);
+  glass.dielectric = true;
+  glass.roughness = 0.3;
+  const auto through = reaches(with(glass, Integrator::path));
+  CHECK(through.second > 30);
+  CHECK(through.first > 0);
+  CHECK(through.first < through.second / 2);
+  const auto shown = reaches(with(glass, Integrator::whitted));
+  CHECK(shown.first > 20);
+  CHECK(shown.second < 1e-6);
+
+  Material dust;
+  CHECK_FALSE(lobe(with(dust, Integrator::path)));
+  dust.diffuse_roughness = 1;
+  for (const Integrator integrator : {Integrator::path, Integrator::whitted, Integrator::cast}) {
+    const State state = with(dust, integrator);
+    const auto matt = reaches(state);
+    CHECK(matt.first > 20);
+    CHECK(matt.second < 1e-6);
+    const Timeline& timeline = *state.walk.timeline;
+    const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(timeline.current_ray(state.walk.position))];
+    const Vec2d aside(-ray.normal.y, -ray.normal.x);
+    const Vec2d back(-ray.direction.x, ray.direction.y);
+    const auto curve = lobe(state);
+    REQUIRE(curve);
+    double there = 0, away = 0;
+    for (const Vec2d& at : curve->points) {
+      const double along = dot(at - curve->points[0], aside) * (dot(back, aside) > 0 ? 1 : -1);
+      there = std::max(there, along), away = std::max(away, -along);
+    }
+    CHECK(there >= away);
   }
 }
 

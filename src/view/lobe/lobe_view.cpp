@@ -1,4 +1,5 @@
 #include "trace/bsdf.h"
+#include "trace/rough_dielectric.h"
 #include "view/plan/painter.h"
 #include "view/plan/plan_view.h"
 #include "view/state.h"
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -27,32 +29,58 @@ const RayRecord* ray_at_hit(const State& state) {
 }
 
 /// How the surface there scatters.
-Bsdf<double> bsdf_at(const RayRecord& ray, const Material& material, const Microsurface<double>& mirrors) {
+struct LobeAt {
+  Microsurface<double> surface;
+  std::shared_ptr<const RoughDielectric<double>> glass;
   Bsdf<double> bsdf;
-  bsdf.incident = normalize(ray.direction);
-  bsdf.shading_normal = dot(ray.normal, ray.direction) > 0 ? -ray.normal : ray.normal;
-  bsdf.geometric_normal = bsdf.shading_normal;
-  bsdf.diffuse = material.diffuse;
-  bsdf.shininess = material.shininess;
-  bsdf.highlight = highlight_scale(material.shininess) * material.specular;
-  bsdf.mirror = material.reflection;
-  bsdf.facets = &mirrors;
-  bsdf.prepare(Rgbd(1.0));
-  return bsdf;
-}
 
-/// Directions of the half plane in which the normal is, closest together about the mirrored ray, by the tangent of
-/// the angle to the normal's half vector. `normal`, `mirrored`: angles in the plan.
-std::vector<double> angles(double normal, double mirrored, double roughness) {
-  constexpr int even = 90, about_the_peak = 60;
-  constexpr double quarter = pi_v<double> / 2;
-  std::vector<double> all;
-  for (int i = 0; i <= even; ++i) all.push_back(normal + quarter * (2.0 * i / even - 1));
-  for (int i = 0; i <= about_the_peak; ++i) {
-    const double slope = 6 * roughness * (2.0 * i / about_the_peak - 1);
-    all.push_back(mirrored + 2 * std::atan(slope));
+  LobeAt(const RayRecord& ray, const Material& material) : surface(material) {
+    bsdf.incident = normalize(ray.direction);
+    const bool inside = dot(ray.normal, ray.direction) > 0;
+    bsdf.shading_normal = inside ? -ray.normal : ray.normal;
+    bsdf.geometric_normal = bsdf.shading_normal;
+    bsdf.diffuse = material.diffuse;
+    bsdf.shininess = material.shininess;
+    bsdf.highlight = highlight_scale(material.shininess) * material.specular;
+    if (surface.matt) bsdf.matt = &*surface.matt;
+    if (surface.facets) {
+      bsdf.mirror = material.reflection;
+      bsdf.facets = &surface;
+    }
+    if (surface.glass > 0 && RoughDielectric<double>::bends(1, material.ior)) {
+      glass = rough_dielectric_of(surface.glass, 1.0, material.ior);
+      bsdf.glass = glass.get();
+      bsdf.side = glass->side_of(inside ? material.ior : 1);
+      bsdf.both = material.reflection + material.transmission;
+      bsdf.mirror = glass->reflectance(bsdf.side, -dot(bsdf.incident, bsdf.shading_normal)) * bsdf.both;
+      bsdf.transparent = bsdf.both - bsdf.mirror;
+    }
+    bsdf.prepare(Rgbd(1.0));
   }
-  all.erase(std::remove_if(all.begin(), all.end(), [&](double at) { return std::abs(at - normal) > quarter; }),
+  LobeAt(const LobeAt&) = delete;
+  LobeAt& operator=(const LobeAt&) = delete;
+  ~LobeAt() = default;
+  /// The direction of the refracted ray of smooth glass.
+  [[nodiscard]] std::optional<Vec3d> refracted(double ior) const {
+    if (!glass) return std::nullopt;
+    const bool inside = (bsdf.side == RoughDielectric<double>::Side::denser) == (ior > 1);
+    return refract(bsdf.incident, bsdf.shading_normal,
+                   refraction_at(bsdf.incident, bsdf.shading_normal, inside ? ior : 1.0, inside ? 1.0 : ior));
+  }
+};
+
+/// Directions about the normal, up to `reach` on both sides, closest together about the peaks: where small facets send
+/// light, by the tangent of the angle to the normal's half vector. `normal`, `peaks`: angles in the plan.
+std::vector<double> angles(double normal, double reach, const std::vector<double>& peaks, double roughness) {
+  constexpr int even = 90, about_the_peak = 60;
+  std::vector<double> all;
+  for (int i = 0; i <= even; ++i) all.push_back(normal + reach * (2.0 * i / even - 1));
+  for (const double peak : peaks)
+    for (int i = 0; i <= about_the_peak; ++i) {
+      const double slope = 6 * roughness * (2.0 * i / about_the_peak - 1);
+      all.push_back(peak + 2 * std::atan(slope));
+    }
+  all.erase(std::remove_if(all.begin(), all.end(), [&](double at) { return std::abs(at - normal) > reach; }),
             all.end());
   std::sort(all.begin(), all.end());
   return all;
@@ -66,24 +94,32 @@ void LobeRoom::draw_in_plan(Painter& painter) {
   const RayRecord* ray = ray_at_hit(state);
   if (ray == nullptr) return;
   const Material& material = state.scene().objects[static_cast<std::size_t>(ray->object)].material;
-  if (!material.is_rough()) return;
+  if (!material.is_rough() && !material.is_rough_diffuse()) return;
   const auto walked = walked_scene(state);
   if (!effects_of(*walked, walked->render.samples).used(Effect::microfacets)) return;
-  const Microsurface<double> microsurface(material);
-  const Bsdf<double> bsdf = bsdf_at(*ray, material, microsurface);
+  const LobeAt lobe(*ray, material);
+  const Bsdf<double>& bsdf = lobe.bsdf;
   const Vec3d& normal = bsdf.shading_normal;
-  const Vec3d mirrored = reflect(bsdf.incident, normal);
   constexpr double upright = 0.2;  // what lies nearly in the plan's plane is hardly cut by it
   if (std::hypot(normal.x, normal.y) < upright) return;
   const double middle = std::atan2(normal.y, normal.x);
-  const double peak = middle + std::remainder(std::atan2(mirrored.y, mirrored.x) - middle, 2 * pi_v<double>);
+  // Without random numbers glass sends on one ray each way only: the lobe is that of the lights' highlights.
+  const bool is_sampled = draws_random(integrator_of(*walked, walked->render.samples));
+  constexpr double half_turn = pi_v<double>;
+  std::vector<double> peaks;
+  const auto add_peak = [&](const Vec3d& at) {
+    peaks.push_back(middle + std::remainder(std::atan2(at.y, at.x) - middle, 2 * half_turn));
+  };
+  if (material.is_rough()) add_peak(reflect(bsdf.incident, normal));
+  if (const auto bent = lobe.refracted(material.ior)) add_peak(*bent);
   struct Sent {
     Vec2d along;
     double much;
   };
   std::vector<Sent> curve;
   Sent most{Vec2d(0.0), 0};
-  for (const double angle : angles(middle, peak, material.roughness)) {
+  const double reach_of_turn = lobe.glass && is_sampled ? half_turn : half_turn / 2;
+  for (const double angle : angles(middle, reach_of_turn, peaks, material.roughness)) {
     const Vec2d along(std::cos(angle), std::sin(angle));
     curve.push_back({along, max_component(bsdf.evaluate(Vec3d(along, 0)).value)});
     if (curve.back().much > most.much) most = curve.back();
@@ -112,8 +148,6 @@ void LobeRoom::draw_in_plan(Painter& painter) {
   painter.add(std::move(shape));
   painter.kept_free.push_back(box);
   const Vec2d out(most.along.x, -most.along.y);
-  // Without random numbers a mirror sends on one ray only: the lobe is that of the highlights.
-  const bool is_sampled = draws_random(integrator_of(*walked, walked->render.samples));
   for (const std::string_view id : {is_sampled ? "plan.lobe" : "plan.lobe_highlight", "plan.lobe_short"})
     if (painter.note_beside(place(most), out, std::string(text(id, state.appearance.language)), {}, box)) break;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// The lobe of a rough mirror in the plan: where light goes from the current hit, as a curve.
+// The lobe of a rough surface in the plan: where light goes from the current hit, as a curve. Of glass, to air.
 
 #include "view/fields.h"
 #include "view/room.h"

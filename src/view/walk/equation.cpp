@@ -180,6 +180,17 @@ class EquationWriter {
   void refract(const RayFormed& formed) {
     if (!formed.snell) return line("P", formed.origin, "T", formed.direction);
     const SnellNumbers& s = *formed.snell;
+    if (parent() != nullptr && parent()->object >= 0 &&
+        scene().objects[static_cast<std::size_t>(parent()->object)].material.is_rough_glass()) {
+      // Of rough glass, these are the angles at a small facet, which turns one direction into the other.
+      const Vec3d along = normalize(s.n2 * formed.direction - s.n1 * normalize(parent()->direction));
+      const Vec3d facet = dot(along, parent()->direction) < 0 ? along : -along;
+      constexpr double rounding = 1e-9;
+      if (length(facet - facing(*parent())) > rounding) {
+        row(Kind::numbers, "H = ", facet);
+        row(Kind::note, Word{"equation.small_facet"});
+      }
+    }
     row(Kind::formula, "n₁ ", Word{"equation.sine"}, " θ₁ = n₂ ", Word{"equation.sine"}, " θ₂");
     row(Kind::numbers, s.n1, " · ", Word{"equation.sine"}, " ", angle_of_cosine(s.cos_in), "° = ", s.n2, " · ",
         Word{"equation.sine"}, " ", angle_of_cosine(s.cos_out), "°");

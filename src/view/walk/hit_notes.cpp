@@ -43,8 +43,12 @@ std::optional<BendNotes> bend_notes(const State& state) {
   const auto angle = [&](const char* name, double cosine) {
     return name + typeset_number(fmt::format("{:.1f}", angle_of_cosine(cosine)), state.appearance.language) + "°";
   };
-  notes.angle_in = angle("θ₁ = ", formed->snell ? formed->snell->cos_in : dot(notes.normal, notes.back));
-  notes.angle_out = angle("θ₂ = ", formed->snell ? formed->snell->cos_out : side * dot(notes.normal, notes.out));
+  // Snell's numbers of rough glass are those of a facet, whose normal is another one.
+  const bool by_facet =
+      in.object >= 0 && state.scene().objects[static_cast<std::size_t>(in.object)].material.is_rough();
+  const SnellNumbers* snell = formed->snell && !by_facet ? &*formed->snell : nullptr;
+  notes.angle_in = angle("θ₁ = ", snell != nullptr ? snell->cos_in : dot(notes.normal, notes.back));
+  notes.angle_out = angle("θ₂ = ", snell != nullptr ? snell->cos_out : side * dot(notes.normal, notes.out));
   return notes;
 }
 
