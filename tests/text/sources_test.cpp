@@ -200,7 +200,10 @@ TEST_CASE("what a text wants filled in is what the sources give it") {
                                     "walk.photon_passed",
                                     "walk.direction_scattered",
                                     "walk.direction_small_mirror",
-                                    "walk.photon_small_mirror"};
+                                    "walk.direction_small_facet",
+                                    "walk.direction_rough_matt",
+                                    "walk.photon_small_mirror",
+                                    "walk.photon_small_facet"};
   std::map<std::string, bool> filled;
   for (const Use& use : uses()) {
     if (use.arguments.empty()) continue;
