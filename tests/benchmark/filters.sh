@@ -18,9 +18,11 @@ eye = [-7, 0]
 look_at = [0, 0]
 fov = 53
 [[light]]
+name = "Lamp"
 type = "point"
 position = [-1, 9]
 [[object]]
+name = "Floor"
 type = "plane"
 point = [0, 0, -1.1]
 normal = [0, 0, 1]
