@@ -101,6 +101,7 @@ constexpr std::array theory{
     Theory{"17-skies-and-metals", "matt", "2"},
     Theory{"17-skies-and-metals", "clouds", "0.78"},  // 7 / 9
     Theory{"17-skies-and-metals", "wall", "0.39"},    // half of it
+    Theory{"17-skies-and-metals", "moon", "2"},       // cos + r sin^2, which at the rim is about 1, too
     Theory{"18-rays-with-width", "one-ray", "1"},
     Theory{"18-rays-with-width", "coverage", "0.3"},  // 0.405 - 0.315 of the slopes from 0.15 to 0.45
     Theory{"18-rays-with-width", "mirror", "2"},
@@ -131,6 +132,7 @@ constexpr std::array usual_mistakes{
     Theory{"15-photons", "circle", "60"},                     // with the one on the edge
     Theory{"17-skies-and-metals", "clouds", "0.67"},          // the mean without the cosine
     Theory{"17-skies-and-metals", "wall", "0.78"},            // the whole sky
+    Theory{"17-skies-and-metals", "moon", "1"},               // as by Lambert
     Theory{"18-rays-with-width", "coverage", "0.25"},         // a part of four
     Theory{"18-rays-with-width", "left", "0.17"},             // as if nothing were before it
     Theory{"18-rays-with-width", "lamp", "0"},                // as a point would see it
