@@ -42,8 +42,8 @@ std::shared_ptr<const World<T>> WorldCache::of(const Scene& scene, AcceleratorKi
     std::rotate(cached_.begin(), same, same + 1);
   } else {
     if (cached_.size() == max_kept) cached_.pop_back();  // first, as large scenes leave no memory for one more
-    cached_.insert(cached_.begin(),
-                   {std::move(shell), kind, fault, std::make_shared<const World<T>>(scene, kind, fault, BuildOptions{stop})});
+    cached_.insert(cached_.begin(), {std::move(shell), kind, fault,
+                                     std::make_shared<const World<T>>(scene, kind, fault, BuildOptions{stop})});
   }
   return std::get<Pointer>(cached_.front().world);
 }

@@ -98,7 +98,7 @@ struct Material {
                           ///< only without gloss and translucency
   double diffuse_roughness = 0;  ///< r, 0..1, of the surface that sends kd back: 0 is Lambert's, 1 the roughest (Oren
                                  ///< and Nayar 1994; Portsmouth, Kutz and Hill 2025)
-  Rgbd absorption{0.0};   ///< a: inside, the transmittance over a distance d is exp(-a d) (Beer); where kt > 0
+  Rgbd absorption{0.0};          ///< a: inside, the transmittance over a distance d is exp(-a d) (Beer); where kt > 0
   Rgbd scattering{0.0};   ///< s: inside, paths go straight for a distance d with probability exp(-s d), then scatter
   double anisotropy = 0;  ///< g: mean cosine of the angle by which they scatter, in -1..1 (Henyey-Greenstein)
   double priority = 0;    ///< where transmitting bodies overlap, the one with the highest priority wins
