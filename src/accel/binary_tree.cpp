@@ -165,8 +165,6 @@ class Builder {
       part(node, centres, best, left_centres, right_centres);
     } else if (!parted) {  // all centres coincide: halve the list
       const auto begin = waiting_.end() - node.count.all(), middle = waiting_.end() - node.count.all() / 2;
-      left = right = {};
-      left_centres = right_centres = {};
       for (auto item = begin; item != waiting_.end(); ++item) {
         Bin& side = item < middle ? right : left;
         const LaneBox box(item->box);
@@ -209,7 +207,6 @@ class Builder {
   /// Moves the items of `node` to their sides of the plane, the right ones first, and bounds their centres.
   void part(const BinaryNode& node, const LaneBox& centres, const Split& plane, LaneBox& left_centres,
             LaneBox& right_centres) {
-    left_centres = right_centres = {};
     const Binning binning(centres, bins_for(node.count.all()));
     const auto is_left = [&](const TreeItem& item) {
       return static_cast<std::size_t>(binning.of(item)[plane.axis]) < plane.bin;

@@ -39,10 +39,9 @@ class SpatialSplitter {
   };
   [[nodiscard]] Sides part(std::span<const TreeItem> items, const SpatialPlane& plane) const;
 
+ private:
   /// The box of the part of an item between two planes, rounded out; empty where nothing of it lies there.
   [[nodiscard]] Bounds<float> clipped(const TreeItem& item, int axis, float low, float high) const;
-
- private:
   [[nodiscard]] float cost(const LaneBox& box, const Tally& count) const {
     return box.half_area(per_unit_) * count.leaf_cost();
   }

@@ -11,36 +11,30 @@ namespace raywalk {
 namespace {
 
 /// Around a body; none where it has no end.
-std::optional<Bounds<double>> around(const ConeBody& body) {
+std::optional<ConeBall> around(const ConeBody& body) {
+  if (const auto* ball = std::get_if<ConeBall>(&body.shape)) return *ball;
+  const auto* faces = std::get_if<ConeFaces>(&body.shape);
+  if (faces == nullptr) return std::nullopt;
   Bounds<double> box;
-  if (const auto* ball = std::get_if<ConeBall>(&body.shape)) {
-    box.include(ball->centre - Vec3d(ball->radius));
-    box.include(ball->centre + Vec3d(ball->radius));
-  }
-  if (const auto* faces = std::get_if<ConeFaces>(&body.shape))
-    for (const ConeFace& face : faces->faces)
-      for (const Vec3d& corner : face.loops.front()) box.include(corner);
-  return box.empty() ? std::nullopt : std::optional(box);
+  for (const ConeFace& face : faces->faces)
+    for (const Vec3d& corner : face.loops.front()) box.include(corner);
+  return ConeBall{(box.min + box.max) / 2.0, length(box.max - box.min) / 2};
 }
 
 }  // namespace
 
 ConeBodies::ConeBodies(std::vector<ConeBody> all) : all_(std::move(all)) {
-  std::vector<std::pair<Ball, int>> waiting;
+  std::vector<std::pair<ConeBall, int>> waiting;
   for (std::size_t i = 0; i < all_.size(); ++i) {
-    const auto box = around(all_[i]);
-    const auto* ball = std::get_if<ConeBall>(&all_[i].shape);
-    if (box)
-      waiting.push_back(
-          {{(box->min + box->max) / 2.0, ball != nullptr ? ball->radius : length(box->max - box->min) / 2},
-           static_cast<int>(i)});
+    if (const auto ball = around(all_[i]))
+      waiting.push_back({*ball, static_cast<int>(i)});
     else
       endless_.push_back(static_cast<int>(i));
   }
   if (!waiting.empty()) build(waiting, 0, waiting.size());
 }
 
-void ConeBodies::build(std::vector<std::pair<Ball, int>>& waiting, std::size_t begin, std::size_t end) {
+void ConeBodies::build(std::vector<std::pair<ConeBall, int>>& waiting, std::size_t begin, std::size_t end) {
   const std::size_t node = nodes_.size();
   nodes_.push_back({waiting[begin].first, waiting[begin].second});
   if (end - begin == 1) return;
@@ -53,7 +47,7 @@ void ConeBodies::build(std::vector<std::pair<Ball, int>>& waiting, std::size_t b
   std::nth_element(place(begin), place(middle), place(end), [axis](const auto& a, const auto& b) {
     return std::pair(a.first.centre[axis], a.second) < std::pair(b.first.centre[axis], b.second);
   });
-  Ball ball{(box.min + box.max) / 2.0, 0};
+  ConeBall ball{(box.min + box.max) / 2.0, 0};
   for (std::size_t i = begin; i < end; ++i)
     ball.radius = std::max(ball.radius, length(waiting[i].first.centre - ball.centre) + waiting[i].first.radius);
   build(waiting, begin, middle);
@@ -62,7 +56,7 @@ void ConeBodies::build(std::vector<std::pair<Ball, int>>& waiting, std::size_t b
 }
 
 /// Rather too often: by far more than rounding.
-bool ConeBodies::may_meet(const RayCone& cone, const Ball& ball, double depth) {
+bool ConeBodies::may_meet(const RayCone& cone, const ConeBall& ball, double depth) {
   const Vec3d to = ball.centre - cone.origin;
   const double slack = 1e-9 * (length(to) + ball.radius + cone.radius) * (1 + std::abs(cone.spread));
   const double along = dot(to, cone.axis), reach = ball.radius + slack;

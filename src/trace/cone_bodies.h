@@ -48,17 +48,13 @@ class ConeBodies {
   [[nodiscard]] std::vector<int> near(const RayCone& cone, double depth) const;
 
  private:
-  struct Ball {
-    Vec3d centre;
-    double radius;
-  };
   /// Around the balls below: the next node and the one at `second`; or, where that is 0, around the body `first`.
   struct Node {
-    Ball ball;
+    ConeBall ball;
     int first = 0, second = 0;
   };
-  void build(std::vector<std::pair<Ball, int>>& waiting, std::size_t begin, std::size_t end);
-  [[nodiscard]] static bool may_meet(const RayCone& cone, const Ball& ball, double depth);
+  void build(std::vector<std::pair<ConeBall, int>>& waiting, std::size_t begin, std::size_t end);
+  [[nodiscard]] static bool may_meet(const RayCone& cone, const ConeBall& ball, double depth);
 
   std::vector<ConeBody> all_;
   std::vector<int> endless_;
