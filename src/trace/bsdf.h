@@ -81,6 +81,16 @@ struct Bsdf : std::conditional_t<with_facets, FacetLobes<T>, NoFacetLobes> {
   using BsdfValue = raywalk::BsdfValue<T>;
   using BsdfSample = raywalk::BsdfSample<T>;
 
+  /// Rough glass of kr + kt, from a medium of this index; `cos`: of the angle of incidence, in 0..1.
+  void take_glass(const RoughDielectric<T>& its, T index, T cos, const Rgb<T>& kept)
+    requires with_facets
+  {
+    this->glass = &its;
+    this->side = its.side_of(index);
+    this->both = kept;
+    mirror = its.reflectance(this->side, cos) * kept;
+    transparent = kept - mirror;
+  }
   /// Sets the selection probabilities of the lobes by what each can contribute at this throughput. To be called once
   /// all members are set.
   void prepare(const Rgb<T>& throughput);

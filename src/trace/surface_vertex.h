@@ -147,13 +147,8 @@ SurfaceVertex<T, Policy::effects.microfacets> prepare_vertex(const World<T>& wor
       bsdf.transparent_width = surface.translucency;
     }
     if constexpr (Policy::effects.microfacets) {
-      if (const RoughDielectric<T>* glass = world.rough_dielectric(surface, n1, n2); glass != nullptr && world.draws) {
-        bsdf.glass = glass;
-        bsdf.side = glass->side_of(n1);
-        bsdf.both = both;
-        bsdf.mirror = glass->reflectance(bsdf.side, at.refraction.cos_in) * both;
-        bsdf.transparent = both - bsdf.mirror;
-      }
+      if (const RoughDielectric<T>* glass = world.rough_dielectric(surface, n1, n2); glass != nullptr && world.draws)
+        bsdf.take_glass(*glass, n1, at.refraction.cos_in, both);
     }
   }
   if (!is_black(bsdf.mirror)) {

@@ -32,6 +32,7 @@ const RayRecord* ray_at_hit(const State& state) {
 struct LobeAt {
   Microsurface<double> surface;
   std::shared_ptr<const RoughDielectric<double>> glass;
+  Refraction<double> bent{};  ///< at the surface as a whole, if it is glass
   Bsdf<double> bsdf;
 
   LobeAt(const RayRecord& ray, const Material& material) : surface(material) {
@@ -49,11 +50,9 @@ struct LobeAt {
     }
     if (surface.glass > 0 && RoughDielectric<double>::bends(1, material.ior)) {
       glass = rough_dielectric_of(surface.glass, 1.0, material.ior);
-      bsdf.glass = glass.get();
-      bsdf.side = glass->side_of(inside ? material.ior : 1);
-      bsdf.both = material.reflection + material.transmission;
-      bsdf.mirror = glass->reflectance(bsdf.side, -dot(bsdf.incident, bsdf.shading_normal)) * bsdf.both;
-      bsdf.transparent = bsdf.both - bsdf.mirror;
+      const double n1 = inside ? material.ior : 1, n2 = inside ? 1 : material.ior;
+      bent = refraction_at(bsdf.incident, bsdf.shading_normal, n1, n2);
+      bsdf.take_glass(*glass, n1, bent.cos_in, material.reflection + material.transmission);
     }
     bsdf.prepare(Rgbd(1.0));
   }
@@ -61,11 +60,8 @@ struct LobeAt {
   LobeAt& operator=(const LobeAt&) = delete;
   ~LobeAt() = default;
   /// The direction of the refracted ray of smooth glass.
-  [[nodiscard]] std::optional<Vec3d> refracted(double ior) const {
-    if (!glass) return std::nullopt;
-    const bool inside = (bsdf.side == RoughDielectric<double>::Side::denser) == (ior > 1);
-    return refract(bsdf.incident, bsdf.shading_normal,
-                   refraction_at(bsdf.incident, bsdf.shading_normal, inside ? ior : 1.0, inside ? 1.0 : ior));
+  [[nodiscard]] std::optional<Vec3d> refracted() const {
+    return glass ? refract(bsdf.incident, bsdf.shading_normal, bent) : std::nullopt;
   }
 };
 
@@ -111,7 +107,7 @@ void LobeRoom::draw_in_plan(Painter& painter) {
     peaks.push_back(middle + std::remainder(std::atan2(at.y, at.x) - middle, 2 * half_turn));
   };
   if (material.is_rough()) add_peak(reflect(bsdf.incident, normal));
-  if (const auto bent = lobe.refracted(material.ior)) add_peak(*bent);
+  if (const auto bent = lobe.refracted()) add_peak(*bent);
   struct Sent {
     Vec2d along;
     double much;
