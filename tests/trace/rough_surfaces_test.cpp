@@ -168,23 +168,9 @@ TEST_CASE("what glows is found through rough glass and on rough matt walls by it
 }
 
 TEST_CASE("photons and paths agree among rough walls and rough glass", "[odds]") {
-  // The mean of a picture; in the corner's open space photons are few, so their interval is what seeds say.
+  constexpr double few = 0.05;  // in the corner's open space: what photons do not say is in their interval
   const auto agree = [](const Scene& scene, int length) {
-    const Estimates paths = path_estimates(scene, 10, 10, 400, {length, never, PathStrategy::both});
-    double truth = 0, variance = 0;
-    for (std::size_t i = 0; i < paths.mean.size(); ++i) {
-      truth += paths.mean[i].x / 100;
-      variance += paths.variance[i].x / paths.samples / 1e4;
-    }
-    Scene sent = scene;
-    for (const bool gather : {false, true}) {
-      sent.render.photons.gather = gather;
-      const Means photons = mean_of_pictures(sent, 10, 10, 16, 8);
-      CAPTURE(gather, truth, std::sqrt(variance), photons.mean, photons.error);
-      CHECK(photons.error < 0.05 * truth);
-      // Circles blur what is near an edge: one percent.
-      CHECK(std::abs(photons.mean - truth) < 4 * (std::sqrt(variance) + photons.error) + 0.01 * truth);
-    }
+    check_against_paths(scene, path_estimates(scene, 10, 10, 400, {length, never, PathStrategy::both}), few);
   };
   Scene scene = rough_corner();
   scene.lights.clear();  // a lamp's light through glass is for photons alone

@@ -51,13 +51,6 @@ double area_of(const PolygonItem& polygon) {
   return std::abs(twice) / 2;
 }
 
-bool says(const DisplayList& list, std::string_view words) {
-  return std::any_of(list.begin(), list.end(), [&](const DisplayItem& item) {
-    const auto* said = std::get_if<TextItem>(&item.shape);
-    return said != nullptr && said->text == words;
-  });
-}
-
 }  // namespace
 
 TEST_CASE("a beam is an area, and once it is cut there is one for each part") {
@@ -83,7 +76,7 @@ TEST_CASE("the part at work says how much of the pixel it is, and nothing says s
     const auto& begun = std::get<PartBegun>(timeline.event(at - 1).detail);
     const std::string coverage = number_text(begun.coverage, state.appearance.language);
     update(state, action::Jump{at});
-    CHECK(says(plan_view(state), coverage));
+    CHECK(has_text(plan_view(state), coverage));
     const int part = timeline.current_ray(at);
     const auto label = [&] {
       for (const TreeNode& node : tree_panel(state).nodes)
@@ -103,7 +96,7 @@ TEST_CASE("the part at work says how much of the pixel it is, and nothing says s
 TEST_CASE("the legend and the plan speak of beams where they are walked") {
   State state = beam_state();
   CHECK(legend(state).rays.front().kind == RayKind::beam);
-  CHECK(says(plan_view(state), text("plan.flat_beams", state.appearance.language)));
+  CHECK(has_text(plan_view(state), text("plan.flat_beams", state.appearance.language)));
   update(state, action::Jump{state.walk.timeline->steps()});
   REQUIRE_FALSE(areas(state).empty());
   update(state, action::ShowRays{RayKind::beam, false});

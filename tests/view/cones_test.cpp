@@ -38,13 +38,6 @@ std::size_t areas_in(const State& state) {
   return count;
 }
 
-bool plan_says(const DisplayList& list, std::string_view words) {
-  return std::any_of(list.begin(), list.end(), [&](const DisplayItem& item) {
-    const auto* said = std::get_if<TextItem>(&item.shape);
-    return said != nullptr && said->text == words;
-  });
-}
-
 }  // namespace
 
 TEST_CASE("a cone is an area, and each part of it says its share once it is at work") {
@@ -58,7 +51,7 @@ TEST_CASE("a cone is an area, and each part of it says its share once it is at w
     CAPTURE(at, share);
     CHECK(is_finite(plan_view(state)));
     CHECK(areas_in(state) > 0);
-    CHECK(plan_says(plan_view(state), share));
+    CHECK(has_text(plan_view(state), share));
     ++told;
   }
   CHECK(told > 20);
@@ -67,7 +60,7 @@ TEST_CASE("a cone is an area, and each part of it says its share once it is at w
 TEST_CASE("the legend, the code and the plan speak of cones where they are walked") {
   State state = cone_state();
   CHECK(legend(state).rays.front().short_name == text("ray.short_cone", state.appearance.language));
-  CHECK(plan_says(plan_view(state), text("plan.flat_cones", state.appearance.language)));
+  CHECK(has_text(plan_view(state), text("plan.flat_cones", state.appearance.language)));
   update(state, action::Jump{state.walk.timeline->steps()});
   REQUIRE(areas_in(state) > 0);
   update(state, action::ShowRays{RayKind::beam, false});

@@ -94,6 +94,13 @@ Vec2d pixels_of(const State& state, const Target& target) {
   return to_pixels(state, place_of(state, target, state.plan.viewport));
 }
 
+bool has_text(const DisplayList& list, std::string_view words) {
+  return std::any_of(list.begin(), list.end(), [&](const DisplayItem& item) {
+    const auto* said = std::get_if<TextItem>(&item.shape);
+    return said != nullptr && said->text == words;
+  });
+}
+
 std::vector<DisplayItem> items_of(const DisplayList& list, const Target& target) {
   std::vector<DisplayItem> items;
   std::copy_if(list.begin(), list.end(), std::back_inserter(items),

@@ -29,6 +29,8 @@ Vec2d to_pixels(const State& state, const Vec2d& point);
 /// Where the handle or the middle of a target is, in pixels.
 Vec2d pixels_of(const State& state, const Target& target);
 
+/// Whether some text of a drawing is these words.
+bool has_text(const DisplayList& list, std::string_view words);
 /// What stands for a target in a drawing.
 std::vector<DisplayItem> items_of(const DisplayList& list, const Target& target);
 

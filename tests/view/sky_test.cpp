@@ -45,12 +45,7 @@ std::vector<std::pair<Vec2d, Colour>> pieces_of(const State& state) {
 Vec2d unit(const Vec2d& v) { return v / length(v); }
 
 bool says(const State& state, std::string_view id) {
-  const std::string_view words = text(id, state.appearance.language);
-  const DisplayList list = plan_view(state);
-  return std::any_of(list.begin(), list.end(), [&](const DisplayItem& item) {
-    const auto* said = std::get_if<TextItem>(&item.shape);
-    return said != nullptr && said->text == words;
-  });
+  return has_text(plan_view(state), text(id, state.appearance.language));
 }
 
 }  // namespace
