@@ -12,6 +12,7 @@ namespace {
 template <class T>
 AcceleratorKind resolve(AcceleratorKind kind, const PrimitiveBounds<T>& boxes, const Primitives<T>& primitives) {
   if (kind != AcceleratorKind::automatic) return kind;
+  if (!primitives.triangles().copies().empty()) return AcceleratorKind::bvh;
   const auto sphere = [&](int id) { return primitives.template plain<Sphere<T>>(id) != nullptr; };
   const bool few = boxes.bounded.size() <= 3 && std::all_of(boxes.bounded.begin(), boxes.bounded.end(), sphere);
   return few ? AcceleratorKind::none : AcceleratorKind::bvh;
@@ -23,7 +24,8 @@ template <class T>
 Accelerator<T>::Accelerator(Primitives<T> primitives, AcceleratorKind kind, const BuildOptions& build)
     : primitives_(std::move(primitives)) {
   const auto begin = std::chrono::steady_clock::now();
-  PrimitiveBounds<T> boxes(primitives_, build.stop);
+  const bool knows_copies = kind == AcceleratorKind::automatic || kind == AcceleratorKind::bvh;
+  PrimitiveBounds<T> boxes(primitives_, !knows_copies, build.stop);
   primitives_.find_equals(boxes.boxes, build.stop);
   kind_ = resolve(kind, boxes, primitives_);
   structure_ = std::make_shared<const Structure>(Structure{build_structure(kind_, boxes, primitives_, build)});

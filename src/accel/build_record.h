@@ -4,6 +4,7 @@
 #include "math/bounds.h"
 #include "math/stop.h"
 #include "math/words.h"
+#include "shape/mesh.h"
 
 #include <array>
 #include <cstddef>
@@ -88,7 +89,8 @@ struct BuildOptions {
   Stop stop{};
   BuildRecord* watcher = nullptr;  ///< records the build, if not null
   BuildQuality quality = BuildQuality::automatic;
-  double expected_rays = 0;  ///< 0: not known
+  double expected_rays = 0;                  ///< 0: not known
+  double share_copies_from = shared_copies;  ///< triangles of all copies together
 
   /// For so many triangles: never automatic.
   [[nodiscard]] BuildQuality quality_for(std::size_t triangles) const;

@@ -224,13 +224,6 @@ class Bvh {
     int count = 0;
   };
 
-  /// Proportional to the probability that a ray which hits the parent hits this box.
-  static T half_area(const Bounds<T>& box) {
-    if (box.empty()) return 0;
-    const Vec3<T> size = box.max - box.min;
-    return size.x * size.y + size.y * size.z + size.z * size.x;
-  }
-
   void split(std::vector<BinaryNode>& binary_nodes, int index, const PrimitiveBounds<T>& boxes, int depth,
              const BuildOptions& build) {
     const BinaryNode node = binary_nodes[static_cast<std::size_t>(index)];

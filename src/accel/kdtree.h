@@ -146,11 +146,6 @@ class KdTree {
     return edges;
   }
 
-  static T half_area(const Bounds<T>& box) {
-    const Vec3<T> size = box.max - box.min;
-    return size.x * size.y + size.y * size.z + size.z * size.x;
-  }
-
   void list_nodes(std::vector<StructureNode>& nodes, std::size_t most, std::uint32_t index, const Bounds<double>& box,
                   int depth) const {
     const Node& node = nodes_[index];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "accel/mesh_copies.h"
 #include "accel/search_record.h"
 #include "accel/wide_search.h"
 
@@ -12,7 +13,8 @@ namespace raywalk {
 
 /// Bounding volume hierarchy over primitives that are mostly triangles: a tree of boxes, eight per node, which are
 /// tested together, as are the triangles of a leaf (accel/wide_tree.h, accel/lane_tests.h). Traversed nearest child
-/// first; a subtree that begins beyond the nearest hit is skipped. Other scenes have a Bvh (structures.cpp).
+/// first; a subtree that begins beyond the nearest hit is skipped. Copies of meshes have trees of their own, which come
+/// after it. Other scenes have a Bvh (structures.cpp).
 template <class T>
 class MeshBvh {
  public:
@@ -22,20 +24,21 @@ class MeshBvh {
   [[gnu::noinline]] void search(const Ray<T>& ray, const Primitives<T>& primitives, Query& query) const {
     const MeshRay lanes(ray, query.sheared());
     if (lanes.held)
-      walk(lanes, primitives, query);
+      walk(lanes, ray, primitives, query);
     else
       walk_beyond_float(ray, primitives, query);
   }
   template <class Query>
   [[gnu::noinline]] void search(const NaiveRay<T>& ray, const Primitives<T>& primitives, Query& query) const {
-    walk(slabs_of(ray, primitives), primitives, query);
+    walk(slabs_of(ray, primitives), ray, primitives, query);
   }
 
-  void list_nodes(std::vector<StructureNode>& nodes, std::size_t most) const { tree_.list_nodes(nodes, most); }
-
-  [[nodiscard]] AcceleratorStatistics statistics() const {
-    return {tree_.node_count(), tree_.item_count(), tree_.depth(), tree_.bytes(), tree_.expected_cost()};
+  void list_nodes(std::vector<StructureNode>& nodes, std::size_t most) const {
+    tree_.list_nodes(nodes, most);
+    if (copies_) copies_->list_nodes(nodes, most);
   }
+
+  [[nodiscard]] AcceleratorStatistics statistics() const;
 
  private:
   template <class Query>
@@ -46,23 +49,20 @@ class MeshBvh {
     if (primitives.maps_rays()) {
       const Vec3d& from = slabs.from_in;
       const double size = std::abs(from.x) + std::abs(from.y) + std::abs(from.z);
-      const double slack = 16 * static_cast<double>(std::numeric_limits<T>::epsilon()) * size;
-      for (int axis = 0; axis < 3; ++axis) {
-        const double away = slabs.negative[axis] ? -slack : slack;
-        slabs.from_in[axis] += away, slabs.from_out[axis] -= away;
-      }
+      slabs.move_out(Vec3d(16 * static_cast<double>(std::numeric_limits<T>::epsilon()) * size));
     }
-    walk(slabs, primitives, query);
+    walk(slabs, ray, primitives, query);
   }
 
-  template <class Terms, class Query>
-  void walk(const Terms& terms, const Primitives<T>& primitives, Query& query) const {
+  template <class Terms, class AnyRay, class Query>
+  void walk(const Terms& terms, const AnyRay& ray, const Primitives<T>& primitives, Query& query) const {
     SearchRecord* record = nullptr;
     if constexpr (Watching<Query>) record = &query.record();
     WideSearch<Terms> search(tree_, terms, Query::shortens, record);
-    while (search.next(query.t_far()))
-      if (test_leaf(search, primitives, query)) break;
+    bool over = false;
+    while (!over && search.next(query.t_far())) over = test_leaf(search, primitives, query);
     query.count(search.nodes(), search.passed_over());
+    if (copies_ && !over) copies_->search(terms, ray, primitives, query);
   }
 
   /// Tests what the search has found; true when it is over.
@@ -111,6 +111,8 @@ class MeshBvh {
   }();
 
   WideTree tree_;
+  std::shared_ptr<const MeshCopies<T>> copies_;  ///< null for none
+  Bounds<double> box_;                           ///< of the tree
 };
 
 template <class T>
@@ -124,6 +126,8 @@ MeshBvh<T>::MeshBvh(const PrimitiveBounds<T>& boxes, const Primitives<T>& primit
     const Triangle<T> triangle = primitives.triangles()[id - primitives.shape_count()];
     return std::array{wide(triangle.a), wide(triangle.b), wide(triangle.c)};
   });
+  box_ = wide(boxes.whole);
+  if (!primitives.triangles().copies().empty()) copies_ = std::make_shared<const MeshCopies<T>>(primitives, build);
   build.stop.each(tree_.packs().begin(), tree_.packs().end(), [&](TrianglePack& pack) {
     for (std::size_t lane = 0; lane < tree_width; ++lane) {
       const int id = pack.ids[lane];
@@ -138,6 +142,22 @@ MeshBvh<T>::MeshBvh(const PrimitiveBounds<T>& boxes, const Primitives<T>& primit
         for (int axis = 0; axis < 3; ++axis) pack.corners[corner][axis][lane] = corners[corner][axis];
     }
   });
+}
+
+template <class T>
+AcceleratorStatistics MeshBvh<T>::statistics() const {
+  AcceleratorStatistics own{tree_.node_count(), tree_.item_count(), tree_.depth(), tree_.bytes(),
+                            tree_.expected_cost()};
+  if (!copies_) return own;
+  // A ray that meets the box of both meets either with the chance that their areas say.
+  Bounds<double> both = box_;
+  both.include(copies_->box());
+  AcceleratorStatistics all = copies_->statistics();
+  all.expected_cost = (half_area(box_) * own.expected_cost + half_area(copies_->box()) * all.expected_cost) /
+                      std::max(half_area(both), std::numeric_limits<double>::min());
+  all.nodes += own.nodes, all.references += own.references, all.bytes += own.bytes;
+  all.depth = std::max(all.depth, own.depth);
+  return all;
 }
 
 }  // namespace raywalk

@@ -19,6 +19,9 @@ struct MeshRay {
   /// `sheared`: the same ray.
   template <class T>
   MeshRay(const Ray<T>& ray, const ShearedRay<T>& sheared);
+  /// Of a ray that may be off by up to `off` along each axis, beside what it meets, and whose direction's components
+  /// may err by `turned` of its largest.
+  MeshRay(const Ray<double>& ray, const ShearedRay<double>& sheared, const Vec3d& off, double turned);
 
   /// Whether the ray is within float's range; otherwise this must not be used.
   bool held;
@@ -51,6 +54,21 @@ MeshRay::MeshRay(const Ray<T>& ray, const ShearedRay<T>& sheared) {
     from_in[axis] = slabs.from_in[axis], from_out[axis] = slabs.from_out[axis], inverse[axis] = slabs.inverse[axis];
   }
   set_triangles(sheared);
+}
+
+inline MeshRay::MeshRay(const Ray<double>& ray, const ShearedRay<double>& sheared, const Vec3d& off, double turned)
+    : MeshRay(ray, sheared) {
+  constexpr float half_ulp = std::numeric_limits<float>::epsilon() / 2;
+  float most = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const float slack = rounded_up(off[axis]), away = std::signbit(ray.direction[axis]) ? -slack : slack;
+    from_in[axis] += away, from_out[axis] -= away;
+    most = std::max(most, slack);
+  }
+  // A sheared corner is off by twice that; `sift` counts 8 half ulps of `grain`, and has room for four half ulps of the
+  // depth that a turned ray would need.
+  grain += most / (4 * half_ulp);
+  if (!(turned < half_ulp)) grain = std::numeric_limits<float>::infinity();
 }
 
 template <class T>

@@ -74,7 +74,8 @@ void Primitives<T>::find_equals(const std::vector<Bounds<T>>& boxes, const Stop&
   // Equal primitives have equal boxes, so only those with the same key are compared.
   std::vector<std::pair<std::uint64_t, std::int32_t>> order;
   order.reserve(boxes.size());
-  for (int id = 0; id < size(); ++id) order.emplace_back(key_of(boxes[static_cast<std::size_t>(id)]), id);
+  const int count = static_cast<int>(boxes.size());
+  for (int id = 0; id < count; ++id) order.emplace_back(key_of(boxes[static_cast<std::size_t>(id)]), id);
   stop.sort(order.begin(), order.end(), std::less<>());
   std::vector<std::int32_t> different;  // of the current key, the lowest id of each distinct primitive
   for (std::size_t i = 0; i < order.size(); ++i) {
@@ -89,7 +90,7 @@ void Primitives<T>::find_equals(const std::vector<Bounds<T>>& boxes, const Stop&
     }
     any_equal_ = true;
     if (first_equal_.empty()) {
-      for (int each = 0; each < size(); ++each) first_equal_.push_back(each);
+      for (int each = 0; each < count; ++each) first_equal_.push_back(each);
     }
     first_equal_[static_cast<std::size_t>(id)] = *same;
   }

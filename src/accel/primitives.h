@@ -5,9 +5,11 @@
 #include "math/stop.h"
 #include "shape/naive.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -48,12 +50,18 @@ class Primitives {
     shapes_.push_back(std::move(shape));
   }
   void add(const Mesh& mesh, const Affine<double>& to_world, bool smooth) { triangles_.add(mesh, to_world, smooth); }
+  /// A mesh at rest whose triangles are not stored again. They come after all other primitives.
+  void add_copy(std::shared_ptr<const Mesh> mesh, const Affine<double>& to_world, bool smooth) {
+    triangles_.add_copy(std::move(mesh), to_world, smooth);
+  }
   /// Gives the primitives [first, end), already added, a motion. An empty motion changes nothing.
   void move(int first, int end, const Motion& motion);
   /// The range of ray times: boxes enclose a primitive at all of these times.
   void set_shutter(double open, double close) { open_ = open, close_ = close; }
 
   [[nodiscard]] int size() const { return shape_count() + triangles_.size(); }
+  /// How many there are without the triangles of copies, whose ids follow.
+  [[nodiscard]] int own_size() const { return shape_count() + triangles_.own_size(); }
   [[nodiscard]] int shape_count() const { return shape_count_; }
   [[nodiscard]] const Triangles<T>& triangles() const { return triangles_; }
   /// A primitive in object space, and its object transform; null when object space is world space.
@@ -82,9 +90,11 @@ class Primitives {
   /// The lowest id of a primitive with the same shape, transform and motion. All of them are one surface: the lowest is
   /// hit, and a ray that departs from it departs from all.
   [[nodiscard]] int first_equal(int id) const {
-    return first_equal_.empty() ? id : first_equal_[static_cast<std::size_t>(id)];
+    const auto at = static_cast<std::size_t>(id);
+    return at < first_equal_.size() ? first_equal_[at] : id;
   }
-  /// Computes `first_equal` in O(n log n). `boxes` are those of all primitives.
+  /// Computes `first_equal` in O(n log n). `boxes`: of all primitives, or of all but those of copies, which then count
+  /// as equal to none; a ray that departs from what one of them equals is recognised where it hits (unless_left).
   void find_equals(const std::vector<Bounds<T>>& boxes, const Stop& stop = {});
 
   /// The nearest intersection in (0, t_max) of the ray with one primitive, in the ray's own t. `sheared`: the ray as
@@ -121,6 +131,14 @@ class Primitives {
                                                                   T t_max, Explain&& explain) const {
     const int departed = departed_part(ray, id);
     return unless_left(id, ray, intersect_corners(coordinate, sheared, t_max, departed, explain));
+  }
+  /// The same with the triangle of a copy, given as it is placed.
+  template <class Explain>
+  [[nodiscard]] std::optional<Intersection<T>> intersect_copied(int id, const Triangle<T>& placed,
+                                                                const ShearedRay<T>& sheared, const Ray<T>& ray,
+                                                                T t_max, Explain&& explain) const {
+    const auto found = raywalk::intersect(placed, sheared, t_max, departed_part(ray, id), explain);
+    return found && Triangles<T>::degenerate(placed) ? std::nullopt : unless_left(id, ray, found);
   }
   /// As textbooks give it (shape/naive.h).
   template <class Explain = NoExplanation>
@@ -279,12 +297,14 @@ class Primitives {
                      : raywalk::surface_at(own(id), ray, intersection);
   }
   /// An intersection with triangle `id`, unless it is only at the shared edge or corner: when a ray departs from a
-  /// neighbour, on the same side of both, its origin may be rounded to the wrong side of this one.
+  /// neighbour, on the same side of both, its origin may be rounded to the wrong side of this one. Nor if one of a copy
+  /// is the surface that the ray departs from.
   [[nodiscard]] std::optional<Intersection<T>> unless_left(int id, const Ray<T>& ray,
                                                            const std::optional<Intersection<T>>& intersection) const {
     const int from = ray.departure.primitive;
     if (!intersection || from < shape_count() ||
-        !triangles_.leaves_by_edge(from - shape_count(), id - shape_count(), ray, intersection->t))
+        !(triangles_.leaves_by_edge(from - shape_count(), id - shape_count(), ray, intersection->t) ||
+          (std::max(from, id) >= own_size() && triangles_.equal(from - shape_count(), id - shape_count()))))
       return intersection;
     return std::nullopt;
   }
@@ -317,9 +337,11 @@ class Primitives {
 /// tested against, are listed separately.
 template <class T>
 struct PrimitiveBounds {
-  explicit PrimitiveBounds(const Primitives<T>& primitives, const Stop& stop = {}) {
-    boxes.reserve(static_cast<std::size_t>(primitives.size()));
-    for (int id = 0; id < primitives.size(); ++id) {
+  /// With `copies`, of their triangles too; a structure that knows of copies does without.
+  explicit PrimitiveBounds(const Primitives<T>& primitives, bool copies, const Stop& stop = {}) {
+    const int count = copies ? primitives.size() : primitives.own_size();
+    boxes.reserve(static_cast<std::size_t>(count));
+    for (int id = 0; id < count; ++id) {
       stop.check();
       boxes.push_back(primitives.box(id));
       if (boxes.back().empty()) continue;  // nothing to hit: a quadric clipped away entirely

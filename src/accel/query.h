@@ -48,18 +48,25 @@ enum class ShadowRole : std::uint8_t {
   ignored   ///< an equal primitive in the same place filters already
 };
 
+/// `roles`: by primitive; all that come after them stop shadow rays.
+[[nodiscard]] inline ShadowRole role_of(const std::vector<ShadowRole>& roles, int primitive) {
+  const auto at = static_cast<std::size_t>(primitive);
+  return at < roles.size() ? roles[at] : ShadowRole::stops;
+}
+
 /// Accepts the primitives that stop shadow rays.
 struct StopsShadows {
-  const std::vector<ShadowRole>& roles;  ///< by primitive
-  bool operator()(int primitive) const { return roles[static_cast<std::size_t>(primitive)] == ShadowRole::stops; }
+  const std::vector<ShadowRole>& roles;
+  bool operator()(int primitive) const { return role_of(roles, primitive) == ShadowRole::stops; }
 };
 
 /// Accepts the primitives of the selected bodies.
 struct OfBodies {
-  const std::vector<std::int32_t>& body_of;  ///< by primitive; -1: of no body
+  const std::vector<std::int32_t>& body_of;  ///< by primitive; -1: of no body, as are all that come after them
   const std::vector<std::uint8_t>& asked;    ///< by body
   bool operator()(int primitive) const {
-    const std::int32_t body = body_of[static_cast<std::size_t>(primitive)];
+    const auto at = static_cast<std::size_t>(primitive);
+    const std::int32_t body = at < body_of.size() ? body_of[at] : -1;
     return body >= 0 && asked[static_cast<std::size_t>(body)] != 0;
   }
 };
@@ -96,6 +103,12 @@ class Query {
     if (!accept_(id)) return std::nullopt;
     ++counts_.primitives;
     return primitives.intersect_triangle(id, coordinate, *sheared_, ray_, t_max_, counts_);
+  }
+  /// The same for the triangle of a copy, given as it is placed.
+  std::optional<Intersection<T>> cross(const Primitives<T>& primitives, int id, const Triangle<T>& placed) {
+    if (!accept_(id)) return std::nullopt;
+    ++counts_.primitives;
+    return primitives.intersect_copied(id, placed, *sheared_, ray_, t_max_, counts_);
   }
 
   const AnyRay& ray_;
@@ -171,7 +184,7 @@ class FilteredOcclusionQuery : public Query<T, AnyPrimitive, AnyRay> {
 
   template <class... KnownTriangle>
   bool test(const Primitives<T>& primitives, int id, const KnownTriangle&... triangle) {
-    const ShadowRole role = roles_[static_cast<std::size_t>(id)];
+    const ShadowRole role = role_of(roles_, id);
     if (role == ShadowRole::ignored || !this->cross(primitives, id, triangle...)) return false;
     if (role == ShadowRole::filters) {
       filters_.push_back(id);
@@ -203,10 +216,14 @@ struct SlabRay {
     }
     if (!mapped) return;
     const T size = std::abs(ray.origin.x) + std::abs(ray.origin.y) + std::abs(ray.origin.z);
-    const T slack = 16 * std::numeric_limits<T>::epsilon() * size;
+    move_out(Vec3<T>(16 * std::numeric_limits<T>::epsilon() * size));
+  }
+  /// Treats boxes as larger by `slack` along each axis.
+  void move_out(const Vec3<T>& slack) {
     for (int axis = 0; axis < 3; ++axis) {
-      from_in[axis] += negative[axis] ? -slack : slack;
-      from_out[axis] += negative[axis] ? slack : -slack;
+      const T away = negative[axis] ? -slack[axis] : slack[axis];
+      from_in[axis] += away;
+      from_out[axis] -= away;
     }
   }
   Vec3<T> from_in, from_out;  ///< the origin relative to the faces through which the ray enters and leaves

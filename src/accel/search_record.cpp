@@ -33,7 +33,8 @@ void SearchRecord::add(SearchEvent event) {
     complete_ = false;
 }
 
-void SearchRecord::enter(SearchEvent::Kind kind, const Bounds<double>& box, bool leaf, int items) {
+void SearchRecord::enter(SearchEvent::Kind kind, const Bounds<double>& given, bool leaf, int items) {
+  const Bounds<double> box = placed(given);
   const auto line = line_in_box(origin_, direction_, box);
   SearchEvent event;
   event.kind = kind;
@@ -46,7 +47,8 @@ void SearchRecord::enter(SearchEvent::Kind kind, const Bounds<double>& box, bool
   add(event);
 }
 
-void SearchRecord::skip(const Bounds<double>& box, bool counted) {
+void SearchRecord::skip(const Bounds<double>& given, bool counted) {
+  const Bounds<double> box = placed(given);
   if (counted) ++nodes_;
   SearchEvent event;
   event.kind = SearchEvent::Kind::skipped;

@@ -2,6 +2,7 @@
 // What a watched search through an accelerator records.
 
 #include "math/bounds.h"
+#include "math/transform.h"
 
 #include <array>
 #include <limits>
@@ -94,14 +95,21 @@ class SearchRecord {
   void skipped(const Bounds<T>& box, bool counted = false) {
     skip(wide(box), counted);
   }
+  /// What follows is in the space that `to_world` maps from, until the frame is left.
+  void enter_frame(const Affine<double>& to_world) { to_world_ = to_world; }
+  void leave_frame() { to_world_.reset(); }
   void tested(int primitive, std::optional<double> t, bool filters);
   void passed(int primitive);
   /// Only the first call counts.
   void ended(SearchEnd why);
 
  private:
-  void enter(SearchEvent::Kind kind, const Bounds<double>& box, bool leaf, int items);
-  void skip(const Bounds<double>& box, bool counted);
+  void enter(SearchEvent::Kind kind, const Bounds<double>& given, bool leaf, int items);
+  void skip(const Bounds<double>& given, bool counted);
+  /// A box in world space.
+  [[nodiscard]] Bounds<double> placed(const Bounds<double>& box) const {
+    return to_world_ ? image_of(*to_world_, box) : box;
+  }
   void add(SearchEvent event);
 
   Vec3d origin_, direction_;
@@ -110,6 +118,7 @@ class SearchRecord {
   std::vector<SearchEvent> events_;
   std::vector<int> seen_;  ///< primitives tested
   Bounds<double> box_{};   ///< the current node
+  std::optional<Affine<double>> to_world_;
   double t_out_ = std::numeric_limits<double>::infinity();
   int nodes_ = 0, tests_ = 0;
   bool complete_ = true, over_ = false;

@@ -33,7 +33,8 @@ AnyStructure<T> build_structure(AcceleratorKind kind, const PrimitiveBounds<T>& 
     case AcceleratorKind::bvh:
       // Packs and the lanes of a wide node pay only where they are filled. A ray costs MeshBvh more before its first
       // box, which the rays of a scene of a few shapes, whose own tests are the most of their time, do not win back.
-      if (mostly_mesh(boxes, primitives)) return MeshBvh<T>(boxes, primitives, build);
+      if (mostly_mesh(boxes, primitives) || !primitives.triangles().copies().empty())
+        return MeshBvh<T>(boxes, primitives, build);
       return Bvh<T>(boxes, build);
     case AcceleratorKind::grid:
       return Grid<T>(boxes, build);

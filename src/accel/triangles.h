@@ -5,24 +5,63 @@
 #include "shape/naive.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace raywalk {
 
+/// A mesh that stands in the scene once more: its triangles are not stored again but placed whenever they are asked
+/// for, which gives the bits that a stored one would have.
+struct MeshCopy {
+  std::shared_ptr<const Mesh> mesh;
+  Affine<double> to_world;
+  bool smooth = false;     ///< normals between vertices that have one are interpolated
+  bool mirrored = false;   ///< `to_world` is a reflection: b and c change places, so that the outside stays outside
+  std::int32_t first = 0;  ///< the number of its first triangle
+
+  [[nodiscard]] Mesh::Corners corners(std::int32_t of_mesh) const {
+    const auto [a, b, c] = mesh->triangles[static_cast<std::size_t>(of_mesh)];
+    return {a, mirrored ? c : b, mirrored ? b : c};
+  }
+  template <class T>
+  [[nodiscard]] Vec3<T> position(std::int32_t vertex) const {
+    return Vec3<T>(to_world.point(mesh->positions[static_cast<std::size_t>(vertex)]));
+  }
+  template <class T>
+  [[nodiscard]] Triangle<T> triangle(std::int32_t of_mesh) const {
+    const Mesh::Corners at = corners(of_mesh);
+    return {position<T>(at[0]), position<T>(at[1]), position<T>(at[2])};
+  }
+};
+
+/// The image of a vertex's normal, of unit length; 0 for none.
+[[nodiscard]] inline Vec3d placed_normal(const Affine<double>& to_world, const Vec3d& normal) {
+  const Vec3d image = to_world.normal(normal);
+  const double size = length(image);
+  return size > 0 ? image / size : Vec3d(0.0);
+}
+
 /// The triangles of all meshes in world space: 12 bytes each, besides the shared vertices. A shared vertex has the same
-/// bits for every triangle, so that a watertight mesh stays watertight.
+/// bits for every triangle, so that a watertight mesh stays watertight. Those of copies, which come last, take none.
 template <class T>
 class Triangles {
  public:
   /// With `smooth`, normals between vertices that have one are interpolated.
   void add(const Mesh& mesh, const Affine<double>& to_world, bool smooth);
+  /// The same triangles, bit for bit, in a few bytes. Nothing but further copies can be added after one.
+  void add_copy(std::shared_ptr<const Mesh> mesh, const Affine<double>& to_world, bool smooth);
 
-  [[nodiscard]] int size() const { return static_cast<int>(corners_.size()); }
+  [[nodiscard]] int size() const { return size_; }
+  [[nodiscard]] int own_size() const { return own_size_; }  ///< without those of copies
+  [[nodiscard]] const std::vector<MeshCopy>& copies() const { return copies_; }
   [[nodiscard]] Triangle<T> operator[](int i) const {
+    if (i >= own_size()) return copied(i);
     const Mesh::Corners& c = corners(i);
     return {position(c[0]), position(c[1]), position(c[2])};
   }
@@ -59,13 +98,35 @@ class Triangles {
   [[nodiscard]] bool equal(int a, int b) const;
 
  private:
+  template <class Value>
+  using AtCorners = std::array<Value, 3>;
+
   [[nodiscard]] const Mesh::Corners& corners(int i) const { return corners_[static_cast<std::size_t>(i)]; }
   [[nodiscard]] const Vec3<T>& position(std::int32_t vertex) const {
     return positions_[static_cast<std::size_t>(vertex)];
   }
-  /// The weighted sum of the corners' normals, not normalised; none where a corner has none.
-  [[nodiscard, gnu::always_inline]] inline std::optional<Vec3<T>> interpolated_normal(int i,
-                                                                                      const Vec3<T>& point) const;
+  [[nodiscard]] const MeshCopy& copy_of(int i) const {
+    return *(std::upper_bound(copies_.begin(), copies_.end(), i,
+                              [](int triangle, const MeshCopy& copy) { return triangle < copy.first; }) -
+             1);
+  }
+  [[nodiscard, gnu::noinline]] Triangle<T> copied(int i) const {
+    const MeshCopy& copy = copy_of(i);
+    return copy.triangle<T>(i - copy.first);
+  }
+  /// The vertex normals of a triangle; none where a corner has none.
+  [[nodiscard, gnu::always_inline]] inline std::optional<AtCorners<Vec3<T>>> normals_of(int i) const;
+  [[nodiscard, gnu::noinline]] std::optional<AtCorners<Vec3<T>>> copied_normals(int i) const;
+  /// The uv of its vertices; none where the mesh has none.
+  [[nodiscard]] std::optional<AtCorners<Vec2<T>>> uvs_of(int i) const;
+  /// The weighted sum of the corners' normals, not normalised.
+  [[nodiscard]] std::optional<Vec3<T>> between(const std::optional<AtCorners<Vec3<T>>>& normals, int i,
+                                               const Vec3<T>& point) const {
+    if (!normals) return std::nullopt;
+    const Weights w = weights_at(i, point);
+    const Vec3<T> sum = w.a * (*normals)[0] + w.b * (*normals)[1] + w.c * (*normals)[2];
+    return length(sum) > 0 ? std::optional(sum) : std::nullopt;
+  }
   /// For `more` elements: exactly as many for the first mesh, in growing steps for the many copies of instances, which
   /// would otherwise be reallocated each time.
   template <class Element>
@@ -85,6 +146,8 @@ class Triangles {
   std::vector<Vec3<T>> normals_;        ///< by vertex, 0 for none; empty when no mesh is smooth
   std::vector<Vec2<T>> uv_;             ///< by vertex; empty when no mesh has any
   std::vector<std::uint8_t> has_uv_;    ///< by vertex, with uv_
+  std::vector<MeshCopy> copies_;
+  int own_size_ = 0, size_ = 0;
 };
 
 template <class T>
@@ -96,13 +159,10 @@ void Triangles<T>::add(const Mesh& mesh, const Affine<double>& to_world, bool sm
   const bool mirrored = to_world.determinant() < 0;  // keeps the outside outside
   for (const auto& [a, b, c] : mesh.triangles)
     corners_.push_back({first + a, first + (mirrored ? c : b), first + (mirrored ? b : c)});
+  own_size_ = size_ = static_cast<int>(corners_.size());
   if (smooth && !mesh.normals.empty()) {
     normals_.resize(static_cast<std::size_t>(first), Vec3<T>(0));
-    for (const Vec3d& normal : mesh.normals) {
-      const Vec3d image = to_world.normal(normal);
-      const double size = length(image);
-      normals_.emplace_back(size > 0 ? image / size : Vec3d(0.0));
-    }
+    for (const Vec3d& normal : mesh.normals) normals_.emplace_back(placed_normal(to_world, normal));
   }
   if (!mesh.uv.empty()) {
     uv_.resize(static_cast<std::size_t>(first), Vec2<T>(0));
@@ -115,57 +175,90 @@ void Triangles<T>::add(const Mesh& mesh, const Affine<double>& to_world, bool sm
 }
 
 template <class T>
-std::optional<Vec3<T>> Triangles<T>::interpolated_normal(int i, const Vec3<T>& point) const {
+void Triangles<T>::add_copy(std::shared_ptr<const Mesh> mesh, const Affine<double>& to_world, bool smooth) {
+  copies_.push_back({std::move(mesh), to_world, smooth, to_world.determinant() < 0, size_});
+  size_ += static_cast<int>(copies_.back().mesh->triangles.size());
+}
+
+template <class T>
+auto Triangles<T>::normals_of(int i) const -> std::optional<AtCorners<Vec3<T>>> {
+  if (i >= own_size()) return copied_normals(i);
   if (normals_.empty()) return std::nullopt;
   const auto normal = [&](std::size_t corner) { return normals_[static_cast<std::size_t>(corners(i)[corner])]; };
   const Vec3<T> a = normal(0), b = normal(1), c = normal(2);
   if (a == Vec3<T>(0) || b == Vec3<T>(0) || c == Vec3<T>(0)) return std::nullopt;
-  const Weights w = weights_at(i, point);
-  const Vec3<T> sum = w.a * a + w.b * b + w.c * c;
-  return length(sum) > 0 ? std::optional(sum) : std::nullopt;
+  return AtCorners<Vec3<T>>{a, b, c};
+}
+
+template <class T>
+auto Triangles<T>::copied_normals(int i) const -> std::optional<AtCorners<Vec3<T>>> {
+  const MeshCopy& copy = copy_of(i);
+  if (!copy.smooth || copy.mesh->normals.empty()) return std::nullopt;
+  const Mesh::Corners at = copy.corners(i - copy.first);
+  AtCorners<Vec3<T>> normals;
+  for (std::size_t corner = 0; corner < 3; ++corner) {
+    normals[corner] = Vec3<T>(placed_normal(copy.to_world, copy.mesh->normals[static_cast<std::size_t>(at[corner])]));
+    if (normals[corner] == Vec3<T>(0)) return std::nullopt;
+  }
+  return normals;
+}
+
+template <class T>
+auto Triangles<T>::uvs_of(int i) const -> std::optional<AtCorners<Vec2<T>>> {
+  AtCorners<Vec2<T>> uvs;
+  if (i >= own_size()) {
+    const MeshCopy& copy = copy_of(i);
+    if (copy.mesh->uv.empty()) return std::nullopt;
+    const Mesh::Corners at = copy.corners(i - copy.first);
+    for (std::size_t corner = 0; corner < 3; ++corner)
+      uvs[corner] = Vec2<T>(copy.mesh->uv[static_cast<std::size_t>(at[corner])]);
+    return uvs;
+  }
+  const Mesh::Corners& at = corners(i);
+  if (uv_.empty() || has_uv_[static_cast<std::size_t>(at[0])] == 0) return std::nullopt;
+  for (std::size_t corner = 0; corner < 3; ++corner) uvs[corner] = uv_[static_cast<std::size_t>(at[corner])];
+  return uvs;
 }
 
 template <class T>
 std::optional<Vec3<T>> Triangles<T>::given_normal(int i, const SurfacePoint<T>& point) const {
-  const auto between = interpolated_normal(i, point.position);
-  return between ? std::optional(*between / length(*between)) : std::nullopt;
+  const auto sum = between(normals_of(i), i, point.position);
+  return sum ? std::optional(*sum / length(*sum)) : std::nullopt;
 }
 
 template <class T>
 std::optional<Vec3<T>> Triangles<T>::smooth_normal(int i, const SurfacePoint<T>& point) const {
-  const auto between = interpolated_normal(i, point.position);
-  if (!between) return std::nullopt;
-  const T size = length(*between);
-  return dot(*between, point.normal) < 0 ? -*between / size : *between / size;
+  const auto sum = between(normals_of(i), i, point.position);
+  if (!sum) return std::nullopt;
+  const T size = length(*sum);
+  return dot(*sum, point.normal) < 0 ? -*sum / size : *sum / size;
 }
 
 template <class T>
 Vec2<T> Triangles<T>::uv_at(int i, const SurfacePoint<T>& point) const {
-  const Mesh::Corners& c = corners(i);
-  if (uv_.empty() || has_uv_[static_cast<std::size_t>(c[0])] == 0) return raywalk::uv_at((*this)[i], point, 0);
-  const auto uv = [&](std::size_t corner) { return uv_[static_cast<std::size_t>(c[corner])]; };
+  const auto uv = uvs_of(i);
+  if (!uv) return raywalk::uv_at((*this)[i], point, 0);
   const Weights w = weights_at(i, point.position);
-  return w.a * uv(0) + w.b * uv(1) + w.c * uv(2);
+  return w.a * (*uv)[0] + w.b * (*uv)[1] + w.c * (*uv)[2];
 }
 
 template <class T>
 Vec3<T> Triangles<T>::normal_derivative(int i, const SurfacePoint<T>& point, const Vec3<T>& along) const {
-  const auto between = interpolated_normal(i, point.position);
-  if (!between) return Vec3<T>(0);
-  const auto normal = [&](std::size_t corner) { return normals_[static_cast<std::size_t>(corners(i)[corner])]; };
+  const auto normals = normals_of(i);
+  const auto sum = between(normals, i, point.position);
+  if (!sum) return Vec3<T>(0);
+  const auto& [a, b, c] = *normals;
   const Vec2<T> bc = barycentric_along((*this)[i], along);
-  const Vec3<T> turned = derivative_of_unit(*between, bc.x * (normal(1) - normal(0)) + bc.y * (normal(2) - normal(0)));
-  return dot(*between, point.normal) < 0 ? -turned : turned;
+  const Vec3<T> turned = derivative_of_unit(*sum, bc.x * (b - a) + bc.y * (c - a));
+  return dot(*sum, point.normal) < 0 ? -turned : turned;
 }
 
 template <class T>
 Vec2<T> Triangles<T>::uv_derivative(int i, const SurfacePoint<T>& point, const Vec3<T>& along) const {
-  const Mesh::Corners& c = corners(i);
-  if (uv_.empty() || has_uv_[static_cast<std::size_t>(c[0])] == 0)
-    return raywalk::uv_derivative((*this)[i], point, 0, along);
-  const auto uv = [&](std::size_t corner) { return uv_[static_cast<std::size_t>(c[corner])]; };
+  const auto uv = uvs_of(i);
+  if (!uv) return raywalk::uv_derivative((*this)[i], point, 0, along);
   const Vec2<T> bc = barycentric_along((*this)[i], along);
-  return bc.x * (uv(1) - uv(0)) + bc.y * (uv(2) - uv(0));
+  return bc.x * ((*uv)[1] - (*uv)[0]) + bc.y * ((*uv)[2] - (*uv)[0]);
 }
 
 template <class T>

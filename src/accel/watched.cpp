@@ -33,7 +33,7 @@ class WatchedQuery : public Base {
   /// The result of the test, repeated without counting: the query keeps only the nearest.
   void tell(const Primitives<T>& primitives, int id) {
     const auto intersection = primitives.intersect(id, this->ray_, this->t_max_);
-    const bool filters = roles_ != nullptr && (*roles_)[static_cast<std::size_t>(id)] == ShadowRole::filters;
+    const bool filters = roles_ != nullptr && role_of(*roles_, id) == ShadowRole::filters;
     record_.tested(id, intersection ? std::optional(static_cast<double>(intersection->t)) : std::nullopt, filters);
   }
 
@@ -52,7 +52,7 @@ template <class T>
 WatchedAccelerator<T>::WatchedAccelerator(const Primitives<T>& primitives, AcceleratorKind kind, std::size_t max_steps,
                                           const Stop& stop)
     : primitives_(primitives), build_{.most = max_steps} {
-  const PrimitiveBounds<T> boxes(primitives_, stop);
+  const PrimitiveBounds<T> boxes(primitives_, kind != AcceleratorKind::bvh, stop);
   if (kind != AcceleratorKind::none) unbounded_ = boxes.unbounded;
   structure_ = std::make_shared<const Structure>(Structure{build_structure(kind, boxes, primitives_, {stop, &build_})});
 }

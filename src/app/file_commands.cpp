@@ -81,14 +81,17 @@ void declare_generate(CLI::App& program, Run& run) {
   using enum GeneratedKind;
   add_choice<GeneratedKind>(
       command, "KIND", to.kind,
-      "spheres (strewn at random), flake (spheres on spheres) or mesh (a bumpy ball of triangles)")
+      "spheres (strewn at random), flake (spheres on spheres), mesh (a bumpy ball of triangles) or forest (copies "
+      "of a mesh)")
       ->required();
   add_whole(command, "--count", to.count, 1, std::numeric_limits<int>::max(),
-            "About how many spheres or triangles (1000 when left out)");
+            "About how many spheres, triangles or copies (1000 when left out)");
   add_whole(command, "--levels", to.levels, 0, 9,
             "Of a flake: how often each sphere grows nine more; 6 makes 597871 (3 when left out)");
   add_parsed(command, "--seed", to.seed, parse_seed, "N", "a whole number from 0 to 2^64 - 1",
              "Which random numbers are drawn (0 when left out)");
+  add_file(command, "--mesh", to.mesh, "FILE", "Of a forest: what it has copies of (.ply, .obj, .gltf or .glb)");
+  add_choice<UpAxis>(command, "--up", to.up, "Of a forest: the axis of the mesh that points upwards (z when left out)");
   add_file(command, "-o,--output", asked->out, "FILE", "Scenes: .nff or .toml; meshes: .ply, .obj or .nff")->required();
   command.footer(
       "The same options give the same file. It is written as it is made: a billion triangles take no more memory than "
@@ -96,7 +99,8 @@ void declare_generate(CLI::App& program, Run& run) {
       "Examples:\n"
       "  raywalk generate spheres --count 1000000 -o million.nff\n"
       "  raywalk generate flake --levels 4 -o flake.nff\n"
-      "  raywalk generate mesh --count 2000 --seed 7 -o ball.ply");
+      "  raywalk generate mesh --count 2000 --seed 7 -o ball.ply\n"
+      "  raywalk generate forest --count 10000 --mesh ball.ply -o forest.toml");
   command.callback([asked, &run] { run = [asked] { return generate_command(asked->options, asked->out); }; });
 }
 

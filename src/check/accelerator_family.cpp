@@ -10,9 +10,13 @@ namespace raywalk::check {
 
 namespace {
 
-/// A random mix of shapes of all sizes, some transformed, some coinciding; with `mesh`, among a mesh of more triangles.
+/// What a heap holds besides shapes: nothing, a mesh of more triangles, or a few of them placed here and there, each
+/// stored or as a copy.
+enum class Meshes { none, one, stored, copied };
+
+/// A random mix of shapes of all sizes, some transformed, some coinciding.
 template <class T>
-Primitives<T> heap(Random& random, bool backwards, bool mesh) {
+Primitives<T> heap(Random& random, bool backwards, Meshes meshes) {
   std::vector<std::pair<Shape<T>, std::optional<ObjectTransform<T>>>> all;
   const int count = random.whole(5, 60);
   const double spread = random.magnitude(0, 2);
@@ -48,7 +52,7 @@ Primitives<T> heap(Random& random, bool backwards, bool mesh) {
   if (backwards) std::reverse(all.begin(), all.end());
   Primitives<T> primitives;
   for (const auto& [shape, place] : all) place ? primitives.add(shape, *place) : primitives.add(shape);
-  if (!mesh) return primitives;
+  if (meshes == Meshes::none) return primitives;
   Mesh triangles;
   for (int i = random.whole(70, 140); i > 0; --i) {
     const Triangle<T> one =
@@ -58,14 +62,26 @@ Primitives<T> heap(Random& random, bool backwards, bool mesh) {
     for (int copies = random.whole(0, 19) == 0 ? 2 : 1; copies > 0; --copies)
       triangles.triangles.push_back({corner, corner + 1, corner + 2});
   }
-  primitives.add(triangles, {}, false);
+  if (meshes == Meshes::one) {
+    primitives.add(triangles, {}, false);
+    return primitives;
+  }
+  const auto shared = std::make_shared<const Mesh>(std::move(triangles));
+  Affine<double> place;
+  for (int i = random.whole(2, 6); i > 0; --i) {
+    // Some in one place; some shrunk along an axis until they are nearly flat there.
+    const Vec3d size(random.magnitude(-2, 1), random.real(0.5, 1), random.coin() ? 1 : -random.magnitude(-8, 0));
+    if (random.whole(0, 3) != 0)
+      place = translation(spread * random.in_box()) * rotation(random.unit(), random.real(-180, 180)) * scaling(size);
+    meshes == Meshes::copied ? primitives.add_copy(shared, place, false) : primitives.add(*shared, place, false);
+  }
   return primitives;
 }
 
 /// Rays at corners of boxes, in the planes of faces, between primitives: `kind` against no accelerator. With `none`,
-/// the same primitives in reverse order.
+/// the same primitives in reverse order. With `copies`, meshes that share a tree against stored ones.
 template <class T>
-Tally compare(AcceleratorKind kind, std::uint64_t seed, std::uint64_t first, std::uint64_t count) {
+Tally compare(AcceleratorKind kind, bool copies, std::uint64_t seed, std::uint64_t first, std::uint64_t count) {
   Tally tally;
   constexpr std::uint64_t rays_a_heap = 1024;
   std::optional<Accelerator<T>> plain, structure;
@@ -74,12 +90,13 @@ Tally compare(AcceleratorKind kind, std::uint64_t seed, std::uint64_t first, std
     if (!plain || number % rays_a_heap == 0) {
       // Triangles of a mesh always come last: they cannot be permuted.
       const bool mesh = !permuted && number / rays_a_heap % 2 == 1;
+      const Meshes meshes = copies ? Meshes::stored : mesh ? Meshes::one : Meshes::none;
       Random again(seed, 50, number / rays_a_heap);
-      plain.emplace(heap<T>(again, false, mesh), AcceleratorKind::none);
+      plain.emplace(heap<T>(again, false, meshes), AcceleratorKind::none);
       again = Random(seed, 50, number / rays_a_heap);
       // Trees over meshes in every quality.
       constexpr std::array qualities{BuildQuality::good, BuildQuality::best, BuildQuality::fast};
-      structure.emplace(heap<T>(again, permuted, mesh), kind,
+      structure.emplace(heap<T>(again, permuted, copies ? Meshes::copied : meshes), kind,
                         BuildOptions{.quality = qualities[number / rays_a_heap / 2 % qualities.size()]});
     }
     Random random(seed, 51, number);
@@ -107,6 +124,9 @@ Tally compare(AcceleratorKind kind, std::uint64_t seed, std::uint64_t first, std
       const int most = sizeof(T) == sizeof(float) ? 30 : 140;
       ray->direction = std::ldexp(T(1), random.whole(-most, most)) * ray->direction;
     }
+    // One from a corner of a triangle's box may leave that triangle.
+    const int left = random.whole(all.shape_count(), std::max(all.size() - 1, all.shape_count()));
+    if (copies && random.whole(0, 7) == 0) ray->departure = {left, 0};
     TestCounts counts;
     const auto expected = plain->closest(*ray, infinity<T>, counts),
                got = structure->closest(*ray, infinity<T>, counts);
@@ -129,20 +149,22 @@ Tally compare(AcceleratorKind kind, std::uint64_t seed, std::uint64_t first, std
 
 Family accelerator_family() {
   Family family{"accelerators", "", {}};
+  const auto add = [&](std::string name, const char* scalar, auto run, AcceleratorKind kind, bool copies) {
+    family.lines.push_back({std::move(name),
+                            scalar,
+                            [run, kind, copies](std::uint64_t seed, std::uint64_t first, std::uint64_t count) {
+                              return run(kind, copies, seed, first, count);
+                            },
+                            {}});
+  };
   for (const AcceleratorKind kind : {AcceleratorKind::bvh, AcceleratorKind::grid, AcceleratorKind::octree,
                                      AcceleratorKind::kdtree, AcceleratorKind::none}) {
     const std::string name(kind == AcceleratorKind::none ? "permuted" : name_of(kind));
-    const auto add = [&](const char* scalar, auto run) {
-      family.lines.push_back({name,
-                              scalar,
-                              [run, kind](std::uint64_t seed, std::uint64_t first, std::uint64_t count) {
-                                return run(kind, seed, first, count);
-                              },
-                              {}});
-    };
-    add("float", compare<float>);
-    add("double", compare<double>);
+    add(name, "float", compare<float>, kind, false);
+    add(name, "double", compare<double>, kind, false);
   }
+  add("copies of meshes", "float", compare<float>, AcceleratorKind::bvh, true);
+  add("copies of meshes", "double", compare<double>, AcceleratorKind::bvh, true);
   return family;
 }
 

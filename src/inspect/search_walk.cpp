@@ -39,7 +39,7 @@ void SearchWalks::fill(const Scene& scene, WorldCache& worlds) {
   const Primitives<T>& primitives = world->accelerator.primitives();
   primitives_ = primitives.size();
   if (too_large()) return;
-  const PrimitiveBounds<T> boxes(primitives);
+  const PrimitiveBounds<T> boxes(primitives, true);
   bounded_ = static_cast<int>(boxes.bounded.size());
   unbounded_ = static_cast<int>(boxes.unbounded.size());
 }

@@ -67,12 +67,11 @@ TrueSurfaces::LineHit* TrueSurfaces::LineHit::nearest_in(std::vector<LineHit>& o
 
 template <class T>
 TrueSurfaces::TrueSurfaces(const std::shared_ptr<const World<T>>& world, T time) : time_(static_cast<double>(time)) {
-  const Primitives<T>& primitives = world->accelerator.primitives();
-  for (int id = 0; id < primitives.size(); ++id) objects_.push_back(world->object(id));
+  object_of_ = [world](int primitive) { return world->object(primitive); };
   if constexpr (std::is_same_v<T, double>)
     accelerator_ = std::shared_ptr<const Accelerator<double>>(world, &world->accelerator);
   else
-    accelerator_ = std::make_shared<const Accelerator<double>>(widened(primitives));
+    accelerator_ = std::make_shared<const Accelerator<double>>(widened(world->accelerator.primitives()));
 }
 
 template TrueSurfaces::TrueSurfaces(const std::shared_ptr<const World<float>>&, float);
@@ -169,7 +168,7 @@ std::vector<TrueSurfaces::LineHit> TrueSurfaces::met_along(Ray<double> line, con
     // Surfaces nearly parallel to the line are left to the lines across it.
     constexpr double slanted = 0.6;
     if (size > 0 && std::abs(flat.y) >= slanted * size)
-      all.push_back({{place, from}, flat / size, objects_[static_cast<std::size_t>(hit->primitive)]});
+      all.push_back({{place, from}, flat / size, object_of_(hit->primitive)});
   }
   return all;
 }

@@ -10,6 +10,7 @@
 #include "trace/world.h"
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -67,7 +68,7 @@ class TrueSurfaces {
                                                double reach) const;
 
   std::shared_ptr<const Accelerator<double>> accelerator_;
-  std::vector<int> objects_;  ///< by primitive: index in Scene::objects
+  std::function<int(int)> object_of_;  ///< of a primitive: index in Scene::objects
   double time_;
 };
 

@@ -1,5 +1,6 @@
 #include "io/generate.h"
 
+#include "io/forest.h"
 #include "math/elementary.h"
 #include "math/random.h"
 #include "shape/intersection.h"
@@ -304,6 +305,7 @@ std::int64_t size_of(const GenerateOptions& options) {
 
 std::optional<Error> why_not_generated(const GenerateOptions& options, const std::string& path) {
   const std::string ending = ending_of(path);
+  if (options.kind == GeneratedKind::forest) return why_no_forest(options, path);
   const bool is_mesh = options.kind == GeneratedKind::mesh;
   const bool known = ending == ".nff" || (is_mesh ? ending == ".ply" || ending == ".obj" : ending == ".toml");
   if (!known)
@@ -321,6 +323,7 @@ std::optional<Error> why_not_generated(const GenerateOptions& options, const std
 
 Result<void> generate(const GenerateOptions& options, const std::string& path) {
   if (const auto error = why_not_generated(options, path)) return tl::unexpected(*error);
+  if (options.kind == GeneratedKind::forest) return write_forest(options, path);
   FileWriter file;
   if (const auto opened = file.open(path); !opened) return opened;
   Sink sink(file);
@@ -340,6 +343,8 @@ Result<void> generate(const GenerateOptions& options, const std::string& path) {
       if (ending == ".nff") write_nff(ball, sink, scene);
       break;
     }
+    case GeneratedKind::forest:
+      break;
   }
   if (const auto written = sink.finish(); !written) return written;
   return file.commit();

@@ -38,8 +38,10 @@ struct NamedMaterial {
 
 namespace detail {
 
-/// Objects and triangles of a whole scene: what fits into 16 GiB.
+/// Objects and triangles of a whole scene that are stored: what fits into 16 GiB.
 inline constexpr double max_entries = 3.2e7;
+/// Those of a group, copies included: each triangle of a copy has a number too.
+inline constexpr double max_copied = 1.8e9;
 inline constexpr std::size_t max_mesh_bytes = std::size_t{1} << 31;
 
 /// The path of `name`, found in the file `from`: relative to it unless absolute.

@@ -39,10 +39,10 @@ std::optional<MeshFile> ReadLog::mesh(const std::string& name, const toml::sourc
 void ReadLog::define(const Group& group, const toml::source_region& where) {
   if (error_) return;
   auto content = std::make_shared<const GroupContent>(group);
-  if (content->entries > max_entries)
+  if (content->entries > max_copied)
     return fail(where,
                 fmt::format("group {} comes to {:.3g} objects and triangles (expected at most {:g})",
-                            toml_text::quoted(group.name), content->entries, max_entries),
+                            toml_text::quoted(group.name), content->entries, max_copied),
                 "groups of groups grow fast: use fewer instances, or smaller meshes");
   if (content->nesting > max_nesting)
     return fail(where,

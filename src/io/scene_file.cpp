@@ -5,6 +5,7 @@
 #include "io/scene_reader.h"
 #include "io/test_format_reader.h"
 #include "io/textures.h"
+#include "scene/copied_meshes.h"
 #include "scene/schema_kinds.h"
 #include "text/file.h"
 #include "text/file_ledger.h"
@@ -70,11 +71,15 @@ void check_image(const ImageSize& image, const toml::table& root, ReadLog& log) 
 }
 
 void check_entries(const Scene& scene, const toml::table& root, ReadLog& log) {
-  if (const double entries = entries_of(scene.objects); entries > detail::max_entries)
-    log.fail(root["object"] ? root["object"].node()->source() : root.source(),
-             fmt::format("the scene comes to {:.3g} objects and triangles (expected at most {:g})", entries,
-                         detail::max_entries),
-             "groups of groups grow fast: use fewer instances, or smaller meshes");
+  const CopiedMeshes copied(scene);
+  const double all = entries_of(scene.objects), stored = all - (copied.share() ? copied.spared() : 0);
+  if (!(stored > detail::max_entries) && !(all > detail::max_copied)) return;
+  const bool of_copies = stored < all && !(stored > detail::max_entries);
+  log.fail(
+      root["object"] ? root["object"].node()->source() : root.source(),
+      fmt::format("the scene comes to {:.3g} objects and triangles{} (expected at most {:g})", of_copies ? all : stored,
+                  of_copies ? " of copies" : "", of_copies ? detail::max_copied : detail::max_entries),
+      "groups of groups grow fast: use fewer instances, or smaller meshes");
 }
 
 void warn_of_bright_materials(const Scene& scene, const toml::table& root, ReadLog& log) {

@@ -27,4 +27,12 @@ struct Bounds {
   }
 };
 
+/// Half the surface, to which the chance of a ray that crosses it is proportional.
+template <class T>
+[[nodiscard]] T half_area(const Bounds<T>& box) {
+  if (box.empty()) return 0;
+  const Vec3<T> size = box.max - box.min;
+  return size.x * size.y + size.y * size.z + size.z * size.x;
+}
+
 }  // namespace raywalk

@@ -27,4 +27,8 @@ struct Mesh {
 /// position share it, so that texture seams do not show.
 [[nodiscard]] std::vector<Vec3d> vertex_normals(const Mesh& mesh);
 
+/// From how many triangles on, of all copies together, copies of meshes share theirs. Those are searched more slowly
+/// than if all were stored, which takes more memory and time to build.
+inline constexpr double shared_copies = 1 << 18;
+
 }  // namespace raywalk

@@ -68,9 +68,9 @@ template <class T>
 class Sorter {
  public:
   explicit Sorter(const World<T>& world) : world_(world), primitives_(world.accelerator.primitives()) {
-    bodies_.of.assign(static_cast<std::size_t>(primitives_.size()), -1);
+    bodies_.of.assign(static_cast<std::size_t>(primitives_.own_size()), -1);
     std::size_t leaf = 0;
-    for (int id = 0; id < primitives_.size(); ++id) {
+    for (int id = 0; id < primitives_.own_size(); ++id) {
       while (leaf < world.leaves.size() && world.leaves[leaf].first <= id) ++leaf;
       if (world.surface(id).transmits) add(id, world.leaves.empty() ? id : static_cast<int>(leaf));
     }
@@ -110,7 +110,7 @@ class Sorter {
   void merge_twins() {
     constexpr std::int32_t unknown = -2, none = -1;
     std::vector<std::int32_t> twins(bodies_.list.size(), unknown);
-    for (int id = 0; id < primitives_.size(); ++id) {
+    for (int id = 0; id < primitives_.own_size(); ++id) {
       const std::int32_t body = bodies_.of_primitive(id), first = bodies_.of_primitive(primitives_.first_equal(id));
       if (body < 0) continue;
       std::int32_t& twin = twins[static_cast<std::size_t>(body)];
@@ -120,7 +120,7 @@ class Sorter {
       if (body >= 0 && twins[static_cast<std::size_t>(body)] >= 0) body = twins[static_cast<std::size_t>(body)];
     for (std::size_t body = 0; body < twins.size(); ++body)
       if (twins[body] >= 0) regions_[body] = {};
-    for (int id = 0; id < primitives_.size(); ++id) {
+    for (int id = 0; id < primitives_.own_size(); ++id) {
       const int first = primitives_.first_equal(id);
       const std::int32_t body = bodies_.of_primitive(id), first_body = bodies_.of_primitive(first);
       if (body >= 0 && first_body >= 0 && body != first_body) bodies_.doubles[first].push_back(id);

@@ -20,13 +20,16 @@ struct Bodies {
   };
 
   std::vector<Body> list;
-  std::vector<std::int32_t> of;          ///< by primitive: the index of its body in the list, or -1
+  std::vector<std::int32_t> of;          ///< by primitive: the index of its body in the list, or -1; without copies
   std::vector<std::int32_t> around_eye;  ///< bodies that may contain the eye, outer ones first
   /// By primitive: equal primitives of other bodies in the same place, of which searches find only this one.
   std::unordered_map<int, std::vector<int>> doubles;
 
   [[nodiscard]] bool empty() const { return list.empty(); }
-  [[nodiscard]] std::int32_t of_primitive(int id) const { return of[static_cast<std::size_t>(id)]; }
+  [[nodiscard]] std::int32_t of_primitive(int id) const {
+    const auto at = static_cast<std::size_t>(id);
+    return at < of.size() ? of[at] : -1;
+  }
   [[nodiscard]] const Body& operator[](std::int32_t body) const { return list[static_cast<std::size_t>(body)]; }
 };
 

@@ -113,8 +113,7 @@ Rgb<T> ConeTracer<T, Watcher>::transmittance_of(const ConePart& blocker, const P
                                                 const Light& light) {
   const int object = bodies_[blocker.body].object;
   const int primitive = primitives_[static_cast<std::size_t>(object)];
-  if (world_.shadow_roles.empty() || world_.shadow_roles[static_cast<std::size_t>(primitive)] != ShadowRole::filters)
-    return Rgb<T>(0);
+  if (role_of(world_.shadow_roles, primitive) != ShadowRole::filters) return Rgb<T>(0);
   const SurfaceVertex<T>& at = *part.at;
   const double distance = length(Vec3d(shadow.to_light));
   const Vec3<T> along(distance * shadow.cone.direction(blocker.place));

@@ -36,7 +36,7 @@ bool convex(const std::vector<Vec3d>& corners) {
 template <class T>
 Emitters<T>::Emitters(const World<T>& world) {
   const Primitives<T>& primitives = world.accelerator.primitives();
-  for (int id = 0; id < primitives.size(); ++id)
+  for (int id = 0; id < primitives.own_size(); ++id)  // no copy emits
     if (!is_black(world.surface(id).emission) && !primitives.moves(id)) add(world, id);
   double sum = 0;
   for (Emitter& emitter : emitters_) {

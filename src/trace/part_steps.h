@@ -16,11 +16,15 @@ namespace raywalk::detail {
 template <class T>
 [[nodiscard]] std::vector<int> first_primitives(const World<T>& world) {
   std::vector<int> first;
-  for (int i = world.accelerator.primitives().size() - 1; i >= 0; --i) {
-    const auto object = static_cast<std::size_t>(world.object(i));
+  const auto add = [&](int id) {
+    const auto object = static_cast<std::size_t>(world.object(id));
     if (object >= first.size()) first.resize(object + 1, -1);
-    first[object] = i;
-  }
+    if (first[object] < 0) first[object] = id;
+  };
+  if (world.leaves.empty())
+    for (int id = 0; id < world.accelerator.primitives().size(); ++id) add(id);
+  for (const auto& leaf : world.leaves)
+    if (leaf.first < world.accelerator.primitives().size()) add(leaf.first);  // the last may be an empty mesh
   return first;
 }
 

@@ -18,7 +18,7 @@ struct MediumDimension {
 /// The object whose body a medium is in.
 template <class T>
 [[nodiscard]] int object_of(const World<T>& world, const typename World<T>::Medium* medium) {
-  for (int id = 0; id < world.accelerator.primitives().size(); ++id) {
+  for (int id = 0; id < world.accelerator.primitives().own_size(); ++id) {
     if (!world.surface(id).scatters()) continue;
     if (world.bodies.empty() ? medium == &world.surface(id)
                              : NestedMedia<T>::bodies_in(medium).back() == world.bodies.of_primitive(id))

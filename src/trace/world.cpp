@@ -1,5 +1,7 @@
 #include "trace/world.h"
 
+#include "scene/copied_meshes.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -105,21 +107,25 @@ typename World<T>::Light traced_light(int index, const Scene& scene, bool draws)
 template <class T>
 class Flattener {
  public:
-  Flattener(const Scene& scene, World<T>& world, const Stop& stop)
+  Flattener(const Scene& scene, World<T>& world, const BuildOptions& build)
       : world_(world),
-        stop_(stop),
+        stop_(build.stop),
+        copied_(scene),
+        shares_(copied_.share(build.share_copies_from)),
         integrator_(integrator_of(scene)),
         switches_(scene.render.switches),
         shutter_open_(scene.camera.shutter_open),
         shutter_close_(scene.camera.shutter_close) {
     primitives_.set_shutter(scene.camera.shutter_open, scene.camera.shutter_close);
-    for (const bool meshes : {false, true}) {
-      meshes_ = meshes;
+    for (const Kind kind : {Kind::shapes, Kind::meshes, Kind::copies}) {
+      adds_ = kind;
       for (top_ = 0; top_ < static_cast<int>(scene.objects.size()); ++top_)
-        add(scene.objects[static_cast<std::size_t>(top_)], Affine<double>{}, {});
+        add(scene.objects[static_cast<std::size_t>(top_)], Affine<double>{}, {}, false);
     }
+    const bool any_copied = primitives_.size() > primitives_.own_size();
+    if (any_copied) world_.first_copied = primitives_.own_size();
     // The most common case: each object is one shape.
-    bool each_its_own = primitives_.size() == static_cast<int>(scene.objects.size());
+    bool each_its_own = !any_copied && primitives_.size() == static_cast<int>(scene.objects.size());
     for (int id = 0; each_its_own && id < primitives_.size(); ++id)
       each_its_own = world_.object(id) == id && world_.surface_indices[static_cast<std::size_t>(id)] == id;
     if (each_its_own) world_.objects.clear(), world_.surface_indices.clear(), world_.leaves.clear();
@@ -128,8 +134,12 @@ class Flattener {
   [[nodiscard]] Primitives<T> take() { return std::move(primitives_); }
 
  private:
-  void add(const Object& object, const Affine<double>& outer, const Motion& outer_motion) {
+  /// In this order their ids follow each other.
+  enum class Kind { shapes, meshes, copies };
+
+  void add(const Object& object, const Affine<double>& outer, const Motion& outer_motion, bool moves) {
     stop_.check();
+    moves = moves || !object.motion.empty();
     Affine<double> map = outer * affine_of(object.transform);
     Motion motion = moved_within(object.motion, outer, outer_motion);
     if (!motion.empty() && !moves_between(motion, shutter_open_, shutter_close_)) {
@@ -140,13 +150,15 @@ class Flattener {
     if (const auto* instance = std::get_if<Instance>(&object.shape)) {
       if (!instance->content) return;
       ++nesting_;
-      for (const Object& inner : instance->content->group.objects) add(inner, map, motion);
+      for (const Object& inner : instance->content->group.objects) add(inner, map, motion, moves);
       --nesting_;
     } else if (const auto* mesh = std::get_if<MeshShape>(&object.shape)) {
-      if (!meshes_ || !mesh->mesh) return;
+      if (!mesh->mesh || adds_ == Kind::shapes) return;
+      const bool copied = copied_.has(object, moves) && inverse(map);
+      if (copied != (adds_ == Kind::copies)) return;
       begin_leaf(object, true);
-      add(object, *mesh, map);
-    } else if (!meshes_) {
+      copied&& shares_ ? add_copy(object, *mesh, map) : add(object, *mesh, map);
+    } else if (adds_ == Kind::shapes) {
       begin_leaf(object, false);
       std::visit([&](const auto& shape) { add_shape(shape, map); }, object.shape);
       note(1, surface_index(&object.material));
@@ -168,9 +180,32 @@ class Flattener {
     const Mesh& mesh = *shape.mesh;
     primitives_.add(mesh, map, shape.smooth);
     const int own = surface_index(&object.material);
-    if (!shape.file_materials || !shape.materials || mesh.materials.empty()) return note(mesh.triangles.size(), own);
-    for (const std::int32_t material : mesh.materials)
-      note(1, material < 0 ? own : surface_index(&(*shape.materials)[static_cast<std::size_t>(material)]));
+    if (!has_own_materials(shape)) return note(mesh.triangles.size(), own);
+    for (const std::int32_t material : mesh.materials) note(1, surface_of_triangle(shape, material, own));
+  }
+
+  void add_copy(const Object& object, const MeshShape& shape, const Affine<double>& map) {
+    primitives_.add_copy(shape.mesh, map, shape.smooth);
+    const int own = surface_index(&object.material);
+    typename World<T>::Leaf& leaf = world_.leaves.back();
+    leaf.object = top_;
+    if (!has_own_materials(shape)) {
+      leaf.surface = own;
+      return;
+    }
+    std::vector<std::int32_t>& surfaces = world_.copied_surfaces;
+    const auto [entry, is_new] = surfaces_from_.try_emplace(&object, surfaces.size());
+    if (is_new)
+      for (const std::int32_t material : shape.mesh->materials)
+        surfaces.push_back(surface_of_triangle(shape, material, own));
+    leaf.surfaces = entry->second;
+  }
+
+  static bool has_own_materials(const MeshShape& shape) {
+    return shape.file_materials && shape.materials && !shape.mesh->materials.empty();
+  }
+  int surface_of_triangle(const MeshShape& shape, std::int32_t material, int own) {
+    return material < 0 ? own : surface_index(&(*shape.materials)[static_cast<std::size_t>(material)]);
   }
 
   void begin_leaf(const Object& object, bool mesh) {
@@ -211,15 +246,18 @@ class Flattener {
 
   World<T>& world_;
   Stop stop_;
+  CopiedMeshes copied_;
+  bool shares_;  ///< copies share their triangles
   Integrator integrator_;
   EffectSwitches switches_;
   double shutter_open_, shutter_close_;
   Primitives<T> primitives_;
   std::unordered_map<const Material*, int> surface_of_;
   std::unordered_map<const Object*, int> name_of_;
+  std::unordered_map<const Object*, std::size_t> surfaces_from_;                      ///< in World::copied_surfaces
   std::unordered_map<const Image*, std::shared_ptr<const TexturePyramid>> pyramids_;  ///< one of each image
   int nesting_ = 0;  ///< depth of instances around the current object
-  bool meshes_ = false;
+  Kind adds_ = Kind::shapes;
   int top_ = 0;
 };
 
@@ -256,18 +294,18 @@ World<T>::World(const Scene& scene, AcceleratorKind kind, std::optional<Fault> i
       threshold(static_cast<T>(scene.limits.threshold)),
       effects(effects_of(scene)),
       draws(draws_random(integrator_of(scene))),
-      accelerator(Flattener<T>(scene, *this, build.stop).take(), kind, build),
+      accelerator(Flattener<T>(scene, *this, build).take(), kind, build),
       fault(its_fault),
       numerics(fault ? Numerics::naive : scene.render.numerics),
       occludes(scene.render.switches.shadows),
       epsilon(static_cast<T>(scene.render.epsilon)) {
   absorbs = std::any_of(surfaces.begin(), surfaces.end(), [](const Surface& each) { return each.absorbs; });
   if (effects.used(Effect::scattering))
-    for (int id = 0; id < accelerator.primitives().size(); ++id) {
+    for (int id = 0; id < accelerator.primitives().own_size(); ++id) {
       Surface& its = surfaces[static_cast<std::size_t>(&surface(id) - surfaces.data())];
       its.endless = its.endless || (its.scatters() && !accelerator.primitives().box(id).bounded());
     }
-  for (int id = 0; id < accelerator.primitives().size(); ++id) {
+  for (int id = 0; id < accelerator.primitives().own_size(); ++id) {
     if (!surface(id).filters_shadows) {
       shadow_roles.push_back(ShadowRole::stops);
       continue;
@@ -290,13 +328,26 @@ World<T>::World(const Scene& scene, AcceleratorKind kind, std::optional<Fault> i
 }
 
 template <class T>
-typename World<T>::Piece World<T>::piece(int primitive) const {
+auto World<T>::leaf_of(int primitive) const -> const Leaf* {
   const auto after = std::upper_bound(leaves.begin(), leaves.end(), primitive,
                                       [](int id, const Leaf& leaf) { return id < leaf.first; });
-  if (after == leaves.begin()) return {};
-  const Leaf& leaf = *(after - 1);
-  return {leaf.mesh ? primitive - leaf.first : -1,
-          leaf.name < 0 ? std::string() : leaf_names[static_cast<std::size_t>(leaf.name)]};
+  return after == leaves.begin() ? nullptr : &*(after - 1);
+}
+
+template <class T>
+auto World<T>::copied_surface(int primitive) const -> const Surface& {
+  const Leaf& leaf = *leaf_of(primitive);
+  const auto triangle = static_cast<std::size_t>(primitive - leaf.first);
+  const std::int32_t at = leaf.surface < 0 ? copied_surfaces[leaf.surfaces + triangle] : leaf.surface;
+  return surfaces[static_cast<std::size_t>(at)];
+}
+
+template <class T>
+typename World<T>::Piece World<T>::piece(int primitive) const {
+  const Leaf* leaf = leaf_of(primitive);
+  if (leaf == nullptr) return {};
+  return {leaf->mesh ? primitive - leaf->first : -1,
+          leaf->name < 0 ? std::string() : leaf_names[static_cast<std::size_t>(leaf->name)]};
 }
 
 template struct World<float>;

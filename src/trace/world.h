@@ -13,6 +13,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -168,15 +169,20 @@ struct World {
   bool draws;                            ///< lights and lobes are sampled at random; else lights at fixed points
   std::vector<ShadowRole> shadow_roles;  ///< by primitive; empty when all of them stop shadow rays
 
-  /// By primitive: the index of its object in the scene, and of its surface. Empty when primitive i is object i.
+  /// By primitive: the index of its object in the scene, and of its surface. Empty when primitive i is object i. Those
+  /// of copies, from `first_copied` on, are known by their leaves.
   std::vector<std::int32_t> objects, surface_indices;
+  std::int32_t first_copied = std::numeric_limits<std::int32_t>::max();
   /// Where the primitives of one shape or mesh begin, ascending. Empty with `objects`.
   struct Leaf {
     std::int32_t first, name;  ///< `name`: in leaf_names, or -1
     bool mesh;
+    std::int32_t object = -1, surface = -1;  ///< of a copy; -1: each triangle has its own surface
+    std::size_t surfaces = 0;                ///< then: where they begin in `copied_surfaces`
   };
   std::vector<Leaf> leaves;
   std::vector<std::string> leaf_names;
+  std::vector<std::int32_t> copied_surfaces;  ///< by triangle of each mesh with materials that is copied
   /// By surface; empty where the scene filters nothing. Beside the surfaces, whose size each hit pays for.
   std::vector<PatternFilter> pattern_filters;
   std::vector<Microsurface<T>> microsurfaces;  ///< the same; empty where nothing is of metal or rough
@@ -194,6 +200,7 @@ struct World {
   Bodies bodies;
 
   [[nodiscard]] const Surface& surface(int primitive) const {
+    if (primitive >= first_copied) return copied_surface(primitive);
     const auto id = static_cast<std::size_t>(primitive);
     return surfaces[surface_indices.empty() ? id : static_cast<std::size_t>(surface_indices[id])];
   }
@@ -235,8 +242,14 @@ struct World {
   [[nodiscard]] Piece piece(int primitive) const;
   /// Index in Scene::objects.
   [[nodiscard]] int object(int primitive) const {
+    if (primitive >= first_copied) return leaf_of(primitive)->object;
     return objects.empty() ? primitive : objects[static_cast<std::size_t>(primitive)];
   }
+
+ private:
+  /// Null where there are none.
+  [[nodiscard]] const Leaf* leaf_of(int primitive) const;
+  [[nodiscard]] const Surface& copied_surface(int primitive) const;
 };
 
 extern template struct World<float>;

@@ -22,7 +22,7 @@ TEST_CASE("equal primitives are found, whatever stands between them", "[accel]")
   primitives.add(ball);
   primitives.add(Plane<double>{});
   CHECK(primitives.first_equal(2) == 2);  // not yet asked for
-  primitives.find_equals(PrimitiveBounds<double>(primitives).boxes);
+  primitives.find_equals(PrimitiveBounds<double>(primitives, true).boxes);
   const int expected[] = {0, 1, 0, 3, 1, 5, 6, 5, 0, 6};
   for (int id = 0; id < primitives.size(); ++id) CHECK(primitives.first_equal(id) == expected[id]);
 }

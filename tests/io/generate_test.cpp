@@ -115,6 +115,46 @@ TEST_CASE("a generated mesh is closed: each edge is shared by two triangles that
   }
 }
 
+TEST_CASE("a forest is copies of a mesh, upright on the floor and apart, and the same for the same seed") {
+  const TemporaryFolder folder;
+  REQUIRE(generate({GeneratedKind::mesh, 300, 0, 1}, folder.file("ball.ply")));
+  GenerateOptions options{GeneratedKind::forest, 40, 0, 3};
+  options.mesh = folder.file("ball.ply");
+  options.up = GENERATE(UpAxis::x, UpAxis::y, UpAxis::z);
+  REQUIRE(generate(options, folder.file("a.toml")));
+  const auto document = read_scene(folder.file("a.toml"));
+  REQUIRE(document);
+  CHECK(document->warnings.empty());
+  std::vector<Bounds<double>> boxes;
+  for (const Object& object : document->scene.objects)
+    if (std::holds_alternative<Instance>(object.shape))
+      boxes.push_back(image_of(affine_of(object.transform), bounds(object.shape)));
+  REQUIRE(boxes.size() == 40);
+  for (const Bounds<double>& box : boxes) {
+    CHECK(box.min.z == Approx(0).margin(1e-9));
+    CHECK(box.max.z < 3);
+  }
+  options.seed = 4;
+  REQUIRE(generate(options, folder.file("b.toml")));
+  CHECK(read_scene(folder.file("b.toml"))->scene.objects != document->scene.objects);
+  options.seed = 3;
+  REQUIRE(generate(options, folder.file("c.toml")));
+  CHECK(read_scene(folder.file("c.toml"))->scene.objects == document->scene.objects);
+}
+
+TEST_CASE("a forest says what it lacks") {
+  const TemporaryFolder folder;
+  GenerateOptions options{GeneratedKind::forest, 4};
+  CHECK_THAT(why_not_generated(options, "a.toml")->text(), contains("--mesh FILE"));
+  options.mesh = folder.file("none.ply");
+  CHECK_THAT(why_not_generated(options, "a.nff")->text(), contains("expected .toml"));
+  CHECK_FALSE(why_not_generated(options, "a.toml"));
+  CHECK_THAT(generate(options, folder.file("a.toml")).error().text(), contains("none.ply"));
+  CHECK(folder.entries() == 0);
+  options.count = 200'000;
+  CHECK_THAT(why_not_generated(options, "a.toml")->text(), contains("at most 100000"));
+}
+
 TEST_CASE("a generated mesh as NFF and OBJ has the triangles that it has as PLY") {
   const TemporaryFolder folder;
   REQUIRE(generate({GeneratedKind::mesh, 200, 0, 1}, folder.file("ball.nff")));

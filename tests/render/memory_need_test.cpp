@@ -61,6 +61,41 @@ TEST_CASE("objects that are no instances bring a surface each") {
   CHECK(per_object() == Approx(490).epsilon(0.33));
 }
 
+namespace {
+
+// `copies` of a mesh of so many triangles that nobody looks at.
+Scene forest(int copies, std::size_t triangles) {
+  auto mesh = std::make_shared<Mesh>();
+  mesh->positions.resize(triangles / 2);
+  mesh->triangles.resize(triangles);
+  MeshShape shape;
+  shape.mesh = mesh;
+  const auto content = std::make_shared<const GroupContent>(Group{"G", {{"Tree", shape, {}}}});
+  Scene scene;
+  for (int i = 0; i < copies; ++i) scene.objects.push_back(instance_of(content, i));
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("copies of a mesh need little, unless a structure lists their triangles") {
+  RenderSettings settings;
+  settings.size = ImageSize{1, 1};
+  const Scene trees = forest(10'000, 70'000);
+  const double shared = memory_needed(trees, settings).bytes;
+  // Measured: a render of 10,000 bunnies takes 120 MB more than one of a single bunny's file read.
+  CHECK(shared < 3e8);
+  settings.accelerator = AcceleratorKind::bvh;
+  CHECK(memory_needed(trees, settings).bytes == Approx(shared));
+  settings.accelerator = AcceleratorKind::grid;
+  const MemoryNeed all = memory_needed(trees, settings);
+  CHECK(all.bytes > 1e10);
+  CHECK_THAT(all.what, test::contains("copies of meshes"));
+  // More than there are numbers: they are stored, which needs too much.
+  settings.accelerator = AcceleratorKind::automatic;
+  CHECK(memory_needed(forest(100'000, 70'000), settings).bytes > 1e12);
+}
+
 TEST_CASE("a large picture of a small scene is what is named") {
   RenderSettings settings;
   settings.size = ImageSize{20000, 10000};

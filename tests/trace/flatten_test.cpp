@@ -1,5 +1,6 @@
 // Groups, meshes and motion in the world: what is spelt out by hand gives the same picture, bit for bit.
 
+#include "accel/meshes.h"
 #include "io/scene_file.h"
 #include "pictures.h"
 #include "support/catch.h"
@@ -91,6 +92,73 @@ TEST_CASE("a mesh's own materials colour its triangles, unless the scene says ot
   CHECK(world.surface(1).diffuse == Rgbd(0.0));
   std::get<MeshShape>(scene.objects[0].shape).file_materials = false;
   CHECK(World<double>(scene).surface(0).diffuse == Rgbd(0.0));
+}
+
+namespace {
+
+// Balls of several materials, smooth and with a pattern, by twos and threes in groups of groups, on a mirror.
+Scene many_balls() {
+  auto ball = std::make_shared<Mesh>(icosphere(2));
+  for (std::size_t i = 0; i < ball->triangles.size(); ++i) ball->materials.push_back(static_cast<int>(i % 3) - 1);
+  for (const Vec3d& at : ball->positions) ball->uv.push_back({at.x, at.y});
+  MeshShape coloured;
+  coloured.mesh = ball;
+  Material red, mirror;
+  red.diffuse = {1, 0.1, 0.1}, red.specular = Rgbd(0.4);
+  mirror.diffuse = Rgbd(0.1), mirror.reflection = Rgbd(0.7);
+  coloured.materials = std::make_shared<const std::vector<Material>>(std::vector{red, mirror});
+  MeshShape flat = coloured;
+  flat.file_materials = flat.smooth = false;
+  Material checked = mirror;
+  checked.checker = Checker{{0.9, 0.9, 0.9}, {0.1, 0.4, 0.1}, 0.3};
+  const auto pair = group_of({{"Coloured", coloured, checked},
+                              moved({"Flat", flat, checked}, {Translate{{0, 2.5, 0}}}),
+                              moved({"Sphere", Sphere<double>{{0, 0, 1.5}, 0.4}, red}, {})});
+  const auto row = group_of({instance("near", pair, {Scale{{1, 0.7, 1.2}}, Rotate{{1, 2, 3}, 40}}),
+                             instance("far", pair, {Translate{{3, 0.3, 0}}, Mirror{{0, 1, 0}}})});
+  Scene scene = busy_scene();
+  scene.camera.eye = {-16, 3, 4};
+  scene.objects.resize(1);
+  for (int i = 0; i < 3; ++i)
+    scene.objects.push_back(
+        instance("row " + std::to_string(i), row, {Scale{Vec3d(0.6)}, Translate{{2.0 * i, 3.0 * i - 3, 0}}}));
+  // Its triangles are stored, for it moves, and so are those of glass.
+  Object moving = instance("moving", pair, {Translate{{-3, -2, 0}}});
+  moving.motion = {{0, {0, 0, 0}}, {1, {0, 0, 0.4}}};
+  scene.objects.push_back(moving);
+  Material glass = checked;
+  glass.transmission = Rgbd(0.8);
+  scene.objects.push_back(moved({"Glass", flat, glass}, {Translate{{-4, 1, 0}}}));
+  return scene;
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("meshes that share their triangles give the picture of stored ones, bit for bit", "", float,
+                   double) {
+  using T = TestType;
+  Scene scene = many_balls();
+  scene.render.integrator = GENERATE(Integrator::whitted, Integrator::distributed, Integrator::path);
+  const BuildOptions share{.share_copies_from = 0}, store{.share_copies_from = 1e9};
+  const Sampling two{2};
+  const auto stored = picture<T>(scene, 49, 37, two, store), shared = picture<T>(scene, 49, 37, two, share);
+  CHECK(same_bits(stored, shared));
+  CHECK(stored.statistics.rays == shared.statistics.rays);
+  CHECK(stored.statistics.ended == shared.statistics.ended);
+  const World<T> all(scene, AcceleratorKind::automatic, {}, store), few(scene, AcceleratorKind::automatic, {}, share);
+  const auto &stored_ones = all.accelerator.primitives(), &shared_ones = few.accelerator.primitives();
+  REQUIRE(stored_ones.size() == shared_ones.size());
+  CHECK(stored_ones.own_size() == stored_ones.size());
+  CHECK(shared_ones.triangles().copies().size() == 12);
+  CHECK(shared_ones.own_size() == stored_ones.size() - 12 * 320);
+  int differing = 0;
+  for (int id = 0; id < stored_ones.size(); ++id) {
+    differing += all.object(id) != few.object(id);
+    differing += all.surface(id).diffuse != few.surface(id).diffuse;
+    differing += all.surface(id).reflection != few.surface(id).reflection;
+    differing += all.piece(id).triangle != few.piece(id).triangle || all.piece(id).member != few.piece(id).member;
+  }
+  CHECK(differing == 0);
 }
 
 TEST_CASE("what does not move in truth gives the bits of what stands still") {

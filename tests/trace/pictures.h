@@ -56,8 +56,9 @@ inline bool same_counts(const Statistics& a, const Statistics& b) {
 
 // `run(world, camera, block, put)` is one of the kernels.
 template <class T, class Run>
-Picture<T> picture_by(const Scene& scene, int width, int height, Sampling sampling, Run run) {
-  const World<T> world(scene);
+Picture<T> picture_by(const Scene& scene, int width, int height, Sampling sampling, Run run,
+                      const BuildOptions& build = {}) {
+  const World<T> world(scene, AcceleratorKind::automatic, std::nullopt, build);
   const RayGenerator<T> camera(scene, {width, height}, {width, height}, sampling);
   Picture<T> picture{width, height, std::vector<Rgb<T>>(static_cast<std::size_t>(width * height)), {}};
   const PutPixel<T> put = [&](const Pixel& pixel, const Rgb<T>& shade) {
@@ -69,8 +70,9 @@ Picture<T> picture_by(const Scene& scene, int width, int height, Sampling sampli
 }
 
 template <class T>
-Picture<T> picture(const Scene& scene, int width, int height, Sampling sampling = {}) {
-  return picture_by<T>(scene, width, height, sampling, [](const auto&... arguments) { return trace(arguments...); });
+Picture<T> picture(const Scene& scene, int width, int height, Sampling sampling = {}, const BuildOptions& build = {}) {
+  return picture_by<T>(
+      scene, width, height, sampling, [](const auto&... arguments) { return trace(arguments...); }, build);
 }
 
 template <class T>
