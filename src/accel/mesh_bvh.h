@@ -24,13 +24,13 @@ class MeshBvh {
   [[gnu::noinline]] void search(const Ray<T>& ray, const Primitives<T>& primitives, Query& query) const {
     const MeshRay lanes(ray, query.sheared());
     if (lanes.held)
-      walk(lanes, ray, primitives, query);
+      search_all(lanes, ray, primitives, query);
     else
       walk_beyond_float(ray, primitives, query);
   }
   template <class Query>
   [[gnu::noinline]] void search(const NaiveRay<T>& ray, const Primitives<T>& primitives, Query& query) const {
-    walk(slabs_of(ray, primitives), ray, primitives, query);
+    search_all(slabs_of(ray, primitives), ray, primitives, query);
   }
 
   void list_nodes(std::vector<StructureNode>& nodes, std::size_t most) const {
@@ -51,18 +51,23 @@ class MeshBvh {
       const double size = std::abs(from.x) + std::abs(from.y) + std::abs(from.z);
       slabs.move_out(Vec3d(16 * static_cast<double>(std::numeric_limits<T>::epsilon()) * size));
     }
-    walk(slabs, ray, primitives, query);
+    search_all(slabs, ray, primitives, query);
   }
 
   template <class Terms, class AnyRay, class Query>
-  void walk(const Terms& terms, const AnyRay& ray, const Primitives<T>& primitives, Query& query) const {
+  void search_all(const Terms& terms, const AnyRay& ray, const Primitives<T>& primitives, Query& query) const {
+    walk(terms, primitives, query);
+    if (copies_ && !query.over()) copies_->search(terms, ray, primitives, query);
+  }
+
+  template <class Terms, class Query>
+  void walk(const Terms& terms, const Primitives<T>& primitives, Query& query) const {
     SearchRecord* record = nullptr;
     if constexpr (Watching<Query>) record = &query.record();
     WideSearch<Terms> search(tree_, terms, Query::shortens, record);
-    bool over = false;
-    while (!over && search.next(query.t_far())) over = test_leaf(search, primitives, query);
+    while (search.next(query.t_far()))
+      if (test_leaf(search, primitives, query)) break;
     query.count(search.nodes(), search.passed_over());
-    if (copies_ && !over) copies_->search(terms, ray, primitives, query);
   }
 
   /// Tests what the search has found; true when it is over.

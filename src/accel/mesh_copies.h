@@ -54,18 +54,16 @@ class MeshCopies {
  public:
   MeshCopies(const Primitives<T>& primitives, const BuildOptions& build);
 
-  /// True when the search is over. `terms`: of the ray in world space, as WideSearch takes them.
+  /// `terms`: of the ray in world space, as WideSearch takes them.
   template <class Terms, class AnyRay, class Query>
-  [[gnu::noinline]] bool search(const Terms& terms, const AnyRay& ray, const Primitives<T>& primitives,
+  [[gnu::noinline]] void search(const Terms& terms, const AnyRay& ray, const Primitives<T>& primitives,
                                 Query& query) const {
     SearchRecord* record = record_of(query);
     WideSearch<Terms> search(over_copies_, terms, Query::shortens, record);
-    bool over = false;
-    while (!over && search.next(query.t_far()))
-      for (unsigned bits = search.candidates(); bits != 0 && !over; bits &= bits - 1)
-        over = search_copy(static_cast<std::size_t>(search.ids()[std::countr_zero(bits)]), ray, primitives, query);
+    while (!query.over() && search.next(query.t_far()))
+      for (unsigned bits = search.candidates(); bits != 0 && !query.over(); bits &= bits - 1)
+        search_copy(static_cast<std::size_t>(search.ids()[std::countr_zero(bits)]), ray, primitives, query);
     query.count(search.nodes(), 0);
-    return over;
   }
 
   void list_nodes(std::vector<StructureNode>& nodes, std::size_t most) const { over_copies_.list_nodes(nodes, most); }
@@ -81,7 +79,7 @@ class MeshCopies {
   }
 
   template <class Query>
-  bool search_copy(std::size_t index, const Ray<T>& ray, const Primitives<T>& primitives, Query& query) const {
+  void search_copy(std::size_t index, const Ray<T>& ray, const Primitives<T>& primitives, Query& query) const {
     const CopyPlace& place = places_[index];
     const Ray<double> in = place.taken_in(ray);
     const Vec3d off = place.off_at(wide(ray.origin));
@@ -89,29 +87,28 @@ class MeshCopies {
     if (lanes.held) return walk(index, lanes, primitives, query);
     SlabRay<double> slabs(in);
     slabs.move_out(off);
-    return walk(index, slabs, primitives, query);
+    walk(index, slabs, primitives, query);
   }
   /// As textbooks do it.
   template <class Query>
-  bool search_copy(std::size_t index, const NaiveRay<T>& ray, const Primitives<T>& primitives, Query& query) const {
+  void search_copy(std::size_t index, const NaiveRay<T>& ray, const Primitives<T>& primitives, Query& query) const {
     NaiveRay<T> in = ray;
     in.origin = Vec3<T>(places_[index].to_mesh().point(wide(ray.origin)));
     in.direction = Vec3<T>(places_[index].to_mesh().direction(wide(ray.direction)));
-    return walk(index, slabs_of(in, primitives), primitives, query);
+    walk(index, slabs_of(in, primitives), primitives, query);
   }
 
   template <class Terms, class Query>
-  bool walk(std::size_t index, const Terms& terms, const Primitives<T>& primitives, Query& query) const {
+  void walk(std::size_t index, const Terms& terms, const Primitives<T>& primitives, Query& query) const {
     const MeshCopy& copy = primitives.triangles().copies()[index];
     const int first = primitives.shape_count() + copy.first;
     SearchRecord* record = record_of(query);
     if (record != nullptr) record->enter_frame(copy.to_world);
     WideSearch<Terms> search(*trees_[tree_of_[index]], terms, Query::shortens, record);
-    bool over = false;
-    while (!over && search.next(query.t_far())) over = test_pack(search, copy, first, primitives, query);
+    while (search.next(query.t_far()))
+      if (test_pack(search, copy, first, primitives, query)) break;
     query.count(search.nodes(), search.passed_over());
     if (record != nullptr) record->leave_frame();
-    return over;
   }
 
   template <class Terms, class Query>

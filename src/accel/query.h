@@ -141,6 +141,7 @@ class ClosestQuery : public Query<T, Accept, AnyRay> {
   /// A box entered beyond this cannot contain a nearer hit. A computed t may err by more than a box's entry does (at
   /// grazing incidence), so the margin is generous; it costs a few visits and no correctness.
   [[nodiscard]] T t_far() const { return t_far_; }
+  [[nodiscard]] static constexpr bool over() { return false; }  ///< another may be nearer
   [[nodiscard]] std::optional<Hit<T>> nearest() const {
     return hit_.primitive == no_primitive ? std::nullopt : std::optional(hit_);
   }
@@ -166,6 +167,7 @@ class OcclusionQuery : public Query<T, AnyPrimitive, AnyRay> {
   }
   [[nodiscard]] T t_far() const { return this->t_max_; }
   [[nodiscard]] bool found() const { return found_ >= 0; }
+  [[nodiscard]] bool over() const { return found(); }
   [[nodiscard]] int found_id() const { return found_; }
 
  private:
@@ -195,6 +197,7 @@ class FilteredOcclusionQuery : public Query<T, AnyPrimitive, AnyRay> {
   }
   [[nodiscard]] T t_far() const { return this->t_max_; }
   [[nodiscard]] bool found() const { return stopped_by_ >= 0; }
+  [[nodiscard]] bool over() const { return found(); }
   [[nodiscard]] int found_id() const { return stopped_by_; }
 
  private:
