@@ -302,11 +302,13 @@ class Primitives {
   [[nodiscard]] std::optional<Intersection<T>> unless_left(int id, const Ray<T>& ray,
                                                            const std::optional<Intersection<T>>& intersection) const {
     const int from = ray.departure.primitive;
-    if (!intersection || from < shape_count() ||
-        !(triangles_.leaves_by_edge(from - shape_count(), id - shape_count(), ray, intersection->t) ||
-          (std::max(from, id) >= own_size() && triangles_.equal(from - shape_count(), id - shape_count()))))
-      return intersection;
+    if (!intersection || from < shape_count() || !leaves_at_once(from, id, ray, intersection->t)) return intersection;
     return std::nullopt;
+  }
+  [[nodiscard]] bool leaves_at_once(int from, int id, const Ray<T>& ray, T t) const {
+    const int left = from - shape_count(), met = id - shape_count();
+    return triangles_.leaves_by_edge(left, met, ray, t) ||
+           (std::max(from, id) >= own_size() && triangles_.equal(left, met));
   }
   /// The part of primitive `id` that the ray departs from, or no_part.
   [[nodiscard]] int departed_part(const Ray<T>& ray, int id) const {

@@ -60,8 +60,9 @@ class Triangles {
   [[nodiscard]] int size() const { return size_; }
   [[nodiscard]] int own_size() const { return own_size_; }  ///< without those of copies
   [[nodiscard]] const std::vector<MeshCopy>& copies() const { return copies_; }
-  [[nodiscard]] Triangle<T> operator[](int i) const {
-    if (i >= own_size()) return copied(i);
+  [[nodiscard, gnu::always_inline]] Triangle<T> operator[](int i) const {
+    if (i >= own_size()) [[unlikely]]
+      return copied(i);
     const Mesh::Corners& c = corners(i);
     return {position(c[0]), position(c[1]), position(c[2])};
   }

@@ -128,7 +128,7 @@ mutant copies_boxes_without_pad copies accel/mesh_copies.cpp 'placed.min -= pad,
 mutant copies_grain_forgotten copies accel/mesh_ray.h 'grain += most / (4 * half_ulp);' ''
 mutant copies_turned_rays_trusted copies accel/mesh_ray.h '!(turned < half_ulp)' 'false'
 mutant copies_mirrored_inside_out copies accel/triangles.h 'return {a, mirrored ? c : b, mirrored ? b : c};' 'return {a, b, c};'
-mutant copies_hit_again_at_once copies accel/primitives.h '(std::max(from, id) >= own_size() &&' '(false &&'
+mutant copies_hit_again_at_once copies accel/primitives.h 'triangles_.equal(left, met)' 'false'
 mutant copies_degenerate_hit copies accel/primitives.h 'found && Triangles<T>::degenerate(placed) ? std::nullopt' 'false ? std::nullopt'
 mutant copies_numbered_from_the_first copies accel/mesh_copies.h 'primitives.shape_count() + copy.first' 'primitives.shape_count()'
 mutant grid_leaves_by_the_farthest accel accel/grid.h 'leave[0] <= leave[1] ? (leave[0] <= leave[2]' \

@@ -112,23 +112,25 @@ Scene many_balls() {
   Material checked = mirror;
   checked.checker = Checker{{0.9, 0.9, 0.9}, {0.1, 0.4, 0.1}, 0.3};
   const auto pair = group_of({{"Coloured", coloured, checked},
-                              moved({"Flat", flat, checked}, {Translate{{0, 2.5, 0}}}),
+                              moved({"Flat", flat, checked}, {TransformStep{Translate{{0, 2.5, 0}}}}),
                               moved({"Sphere", Sphere<double>{{0, 0, 1.5}, 0.4}, red}, {})});
-  const auto row = group_of({instance("near", pair, {Scale{{1, 0.7, 1.2}}, Rotate{{1, 2, 3}, 40}}),
-                             instance("far", pair, {Translate{{3, 0.3, 0}}, Mirror{{0, 1, 0}}})});
+  const auto row =
+      group_of({instance("near", pair, {TransformStep{Scale{{1, 0.7, 1.2}}}, TransformStep{Rotate{{1, 2, 3}, 40}}}),
+                instance("far", pair, {TransformStep{Translate{{3, 0.3, 0}}}, TransformStep{Mirror{{0, 1, 0}}}})});
   Scene scene = busy_scene();
   scene.camera.eye = {-16, 3, 4};
   scene.objects.resize(1);
   for (int i = 0; i < 3; ++i)
     scene.objects.push_back(
-        instance("row " + std::to_string(i), row, {Scale{Vec3d(0.6)}, Translate{{2.0 * i, 3.0 * i - 3, 0}}}));
+        instance("row " + std::to_string(i), row,
+                 {TransformStep{Scale{Vec3d(0.6)}}, TransformStep{Translate{{2.0 * i, 3.0 * i - 3, 0}}}}));
   // Its triangles are stored, for it moves, and so are those of glass.
-  Object moving = instance("moving", pair, {Translate{{-3, -2, 0}}});
+  Object moving = instance("moving", pair, {TransformStep{Translate{{-3, -2, 0}}}});
   moving.motion = {{0, {0, 0, 0}}, {1, {0, 0, 0.4}}};
   scene.objects.push_back(moving);
   Material glass = checked;
   glass.transmission = Rgbd(0.8);
-  scene.objects.push_back(moved({"Glass", flat, glass}, {Translate{{-4, 1, 0}}}));
+  scene.objects.push_back(moved({"Glass", flat, glass}, {TransformStep{Translate{{-4, 1, 0}}}}));
   return scene;
 }
 
