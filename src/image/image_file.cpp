@@ -181,6 +181,13 @@ Result<Image> read_pfm(const std::string& path) {
   return decode_pfm(*bytes, path);
 }
 
+Result<Image> decode_map(std::string_view bytes, const std::string& file_name, ByteMeaning meaning) {
+  if (bytes.starts_with("PF")) return decode_pfm(bytes, file_name);
+  if (bytes.starts_with("\x76\x2f\x31\x01")) return decode_exr(bytes, file_name);
+  if (bytes.starts_with("#?RADIANCE") || bytes.starts_with("#?RGBE")) return decode_hdr(bytes, file_name);
+  return decode_png_or_jpeg(bytes, file_name, meaning);
+}
+
 Result<Image> read_image(const std::string& path) {
   constexpr std::size_t max_bytes = std::size_t{1} << 30;
   const auto bytes = read_file(path, max_bytes);

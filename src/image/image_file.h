@@ -51,11 +51,20 @@ enum class ImageFormat { png, pfm, exr };
 /// Reads a Radiance picture (.hdr), as radiance up to a factor: what its head says of exposure is left to the reader.
 [[nodiscard]] Result<Image> decode_hdr(std::string_view bytes, const std::string& file_name);
 
-/// Reads an 8-bit PNG or JPEG, from sRGB to linear light. `file_name` is for messages only.
-[[nodiscard]] Result<Image> decode_png_or_jpeg(std::string_view bytes, const std::string& file_name);
+/// What the bytes of a PNG or JPEG are.
+enum class ByteMeaning {
+  colour,  ///< sRGB, to be decoded to linear light
+  number,  ///< numbers from 0 to 1, over 255
+};
+
+/// Reads an 8-bit PNG or JPEG. `file_name` is for messages only.
+[[nodiscard]] Result<Image> decode_png_or_jpeg(std::string_view bytes, const std::string& file_name,
+                                               ByteMeaning meaning = ByteMeaning::colour);
 
 /// Reads a PNG (8 bits a channel, from sRGB to linear light), a PFM, an OpenEXR or a Radiance picture, detected by its
 /// first bytes.
 [[nodiscard]] Result<Image> read_image(const std::string& path);
+/// The same, or a JPEG. What a file holds in floats is linear, whatever `meaning`.
+[[nodiscard]] Result<Image> decode_map(std::string_view bytes, const std::string& file_name, ByteMeaning meaning);
 
 }  // namespace raywalk

@@ -71,7 +71,7 @@ Result<Bytes> decode_jpeg(std::string_view bytes, const std::string& file) {
 
 }  // namespace
 
-Result<Image> decode_png_or_jpeg(std::string_view bytes, const std::string& file_name) {
+Result<Image> decode_png_or_jpeg(std::string_view bytes, const std::string& file_name, ByteMeaning meaning) {
   if (bytes.size() > max_bytes)
     return no_texture(file_name, fmt::format("the file is too large (expected at most {} MiB)", max_bytes >> 20));
   const bool png = bytes.starts_with("\x89PNG"), jpeg = bytes.starts_with("\xff\xd8");
@@ -81,7 +81,8 @@ Result<Image> decode_png_or_jpeg(std::string_view bytes, const std::string& file
 
   std::array<float, 256> linear{};
   for (std::size_t i = 0; i < linear.size(); ++i)
-    linear[i] = static_cast<float>(srgb_decode(static_cast<double>(i) / 255));
+    linear[i] = static_cast<float>(meaning == ByteMeaning::colour ? srgb_decode(static_cast<double>(i) / 255)
+                                                                  : static_cast<double>(i) / 255);
   Image picture{image->width, image->height, {}};
   const auto step = static_cast<std::size_t>(image->channels);
   picture.pixels.reserve(image->bytes.size() / step);

@@ -119,8 +119,9 @@ class Documenter {
     const std::string path = path_.empty() ? std::string(name) : fmt::format("{}.{}", path_, name);
     const auto tables = tables_of<T>(std::string(name), is_many ? "[[" + path + "]]" : "[" + path + "]", path);
     add(name, std::move(expected), std::move(default_value), tables.front().about);
-    // Tables within tables, such as the objects of a group, are the same as those at the top level.
-    if (!is_many || path_.empty()) inner_.insert(inner_.end(), tables.begin(), tables.end());
+    // The objects of a group and the maps of a second material are the same as those further up.
+    if (!is_many || (path_ != "group" && !path_.ends_with(".second")))
+      inner_.insert(inner_.end(), tables.begin(), tables.end());
   }
   template <class T>
   void add_type() {
@@ -169,7 +170,8 @@ std::string reference_text(const std::vector<KeyTable>& tables) {
       const std::string default_value = key.default_value.empty()     ? "must be given"
                                         : key.default_value == "none" ? "may be left out"
                                                                       : key.default_value + " when left out";
-      text += fmt::format("  {:<{}}", key.name, indent - 2);
+      text += fmt::format("  {:<{}}{}", key.name, indent - 2,
+                          key.name.size() < indent - 2 || key.expected.empty() ? "" : " ");
       text += key.expected.empty() ? "\n" : wrapped(key.expected + "; " + default_value, indent);
       text += std::string(indent, ' ') + wrapped(key.sentence, indent);
     }

@@ -99,6 +99,9 @@ std::string pov_texture(const Material& material, const std::optional<FlatFrame>
   if (material.is_metal()) losses.insert("how metals reflect more at flat angles: they reflect as at right angles");
   if (material.normal == ShadingNormal::fixed) losses.insert("fixed normals: surfaces are lit from both sides");
   if (material.texture) losses.insert("image textures");
+  if (!material.maps.empty()) losses.insert("maps of parameters, which are as strong everywhere as without them");
+  if (material.has_bent_normals()) losses.insert("normal and bump maps: surfaces become smooth");
+  if (material.mask) losses.insert("masks: the second material is left out");
   if (material.filters_checker())
     losses.insert("filters of checkers, which are seen by points: more samples, such as +A0.1, do what can be done");
   if (material.transmits() && material.priority != 0)

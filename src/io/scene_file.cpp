@@ -86,7 +86,9 @@ void warn_of_bright_materials(const Scene& scene, const toml::table& root, ReadL
   const toml::array* tables = root["object"].as_array();
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Material& m = scene.objects[i].material;
-    const double sum = max_component(m.diffuse + m.specular + m.reflection + m.transmission);
+    double sum = max_component(m.diffuse + m.specular + m.reflection + m.transmission);
+    if (m.mask)
+      sum = std::max(sum, max_component(m.mask->second.diffuse + m.mask->second.specular + m.mask->second.reflection));
     constexpr double rounding = 1e-9;  // 0.7 + 0.2 + 0.1 may come out above 1
     if (sum > 1 + rounding)
       log.warn(
@@ -94,6 +96,89 @@ void warn_of_bright_materials(const Scene& scene, const toml::table& root, ReadL
           fmt::format("{} sends out more light than it receives: diffuse + specular + reflection + transmission is "
                       "{:.4g} in its largest channel (expected at most 1)",
                       toml_text::quoted(scene.objects[i].name), sum));
+  }
+}
+
+/// Of one of the maps; `what`: whose.
+std::string why_idle(const ParameterMap& map, const Material& material) {
+  const auto is_nothing = [&] {
+    switch (map.of) {
+      case MappedParameter::ambient:
+        return is_black(material.ambient);
+      case MappedParameter::diffuse:
+        return is_black(material.diffuse);
+      case MappedParameter::diffuse_roughness:
+        return material.diffuse_roughness == 0;
+      case MappedParameter::specular:
+        return is_black(material.specular);
+      case MappedParameter::shininess:
+        return material.shininess == 0;
+      case MappedParameter::reflection:
+        return is_black(material.reflection);
+      case MappedParameter::transmission:
+        return is_black(material.transmission);
+      case MappedParameter::roughness:
+        return material.roughness == 0;
+      case MappedParameter::gloss:
+        return material.gloss == 0;
+      case MappedParameter::translucency:
+        return material.translucency == 0;
+      case MappedParameter::emission:
+        return is_black(material.emission);
+    }
+    return false;
+  };
+  const std::string name(name_of(map.of));
+  if (is_nothing())
+    return fmt::format(
+        "the map of {} changes nothing, for what it multiplies is 0 (expected above 0: 1 takes the map "
+        "as it is)",
+        name);
+  const auto needs = [&](const char* what) {
+    return fmt::format("the map of {} changes nothing, for there is no {} (expected {} above 0)", name, what, what);
+  };
+  const bool bounces = !is_black(material.reflection) || material.transmits();
+  switch (map.of) {
+    case MappedParameter::roughness:
+    case MappedParameter::gloss:
+      return bounces ? "" : needs("reflection");
+    case MappedParameter::translucency:
+      return material.transmits() ? "" : needs("transmission");
+    case MappedParameter::shininess:
+      return !is_black(material.specular) ? "" : needs("specular");
+    case MappedParameter::diffuse_roughness:
+      return !is_black(material.diffuse) ? "" : needs("diffuse");
+    case MappedParameter::ambient:
+    case MappedParameter::diffuse:
+    case MappedParameter::specular:
+    case MappedParameter::reflection:
+    case MappedParameter::transmission:
+    case MappedParameter::emission:
+      break;
+  }
+  return {};
+}
+
+void warn_of_idle_maps(const Scene& scene, const toml::table& root, ReadLog& log) {
+  const toml::array* tables = root["object"].as_array();
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const Material& material = scene.objects[i].material;
+    const auto warn_of = [&](const Material& of, const char* whose) {
+      for (const ParameterMap& map : of.maps)
+        if (const std::string why = why_idle(map, of); !why.empty())
+          log.warn(tables->get(i)->source(),
+                   fmt::format("{}{}: {}", toml_text::quoted(scene.objects[i].name), whose, why));
+    };
+    warn_of(material, "");
+    if (material.mask) warn_of(second_of(material), ", second material");
+    if (material.normal_map && material.normal_map->strength == 0)
+      log.warn(tables->get(i)->source(),
+               fmt::format("{}: the normal map changes nothing, for its strength is 0 (expected above 0)",
+                           toml_text::quoted(scene.objects[i].name)));
+    if (material.bump_map && material.bump_map->relief == 0)
+      log.warn(tables->get(i)->source(),
+               fmt::format("{}: the bump map changes nothing, for its relief is 0 (expected another height)",
+                           toml_text::quoted(scene.objects[i].name)));
   }
 }
 
@@ -131,6 +216,7 @@ Result<SceneDocument> parse_scene(std::string_view text, const std::string& file
     check_image(scene.image, root, log);
     check_entries(scene, root, log);
     warn_of_bright_materials(scene, root, log);
+    warn_of_idle_maps(scene, root, log);
   }
   if (log.error()) return tl::unexpected(*log.error());
   SceneDocument document{std::move(file.scene), std::string(text), log.warnings()};

@@ -83,13 +83,23 @@ class Merger {
         const Value* before = old.find(child.key);
         const bool is_there = stated != nullptr && before != nullptr;
         if (turn != (child.kind != Kind::table ? Turn::keys : is_there ? Turn::tables : Turn::new_tables)) continue;
-        if (is_there)
+        if (is_there && child.kind == Kind::tables && before->children.size() != child.children.size())
+          state_anew(node, *stated, now, child, path);
+        else if (is_there)
           merge(*stated, *before, child, path.empty() ? child.key : path + "." + child.key);
         else if (is_new(child))
           add(node, now, child, path);
       }
     for (const Value& child : old.children)
       if (is_gone(child)) remove(*node.find(child.key));
+  }
+
+  /// Tables within a table, of which there are now more or fewer.
+  void state_anew(const LayoutNode& node, const LayoutNode& stated, const Value& table, const Value& child,
+                  const std::string& path) {
+    if (stated.is_inline) return edits_.replace(stated.value, inline_text(child));
+    remove(stated);
+    if (!child.children.empty()) add(node, table, child, path);
   }
 
   void add(const LayoutNode& node, const Value& table, const Value& child, const std::string& path) {

@@ -244,6 +244,9 @@ void add_files(const std::vector<Object>& objects, std::set<std::string>& files)
     if (const auto* mesh = std::get_if<MeshShape>(&object.shape); mesh != nullptr && !mesh->file.empty())
       files.insert(mesh->file);
     if (object.material.texture) files.insert(object.material.texture->file);
+    each_map(object.material, [&](const MapImage& map, bool /*colour*/) {
+      if (!map.file.empty()) files.insert(map.file);
+    });
   }
 }
 

@@ -38,6 +38,7 @@ class PathRewriter {
     for (Object& object : objects) {
       if (auto* mesh = std::get_if<MeshShape>(&object.shape)) retell(mesh->file);
       if (object.material.texture) retell(object.material.texture->file);
+      each_map(object.material, [this](MapImage& map, bool /*colour*/) { retell(map.file); });
     }
   }
   [[nodiscard]] const std::optional<Error>& error() const { return error_; }

@@ -76,7 +76,7 @@ class Lister {
     for (Value& member : members) {
       const Value* usual = fresh.find(member.key);
       if (member.kind == Kind::tables)
-        member.is_default = false;
+        member.is_default = !std::is_same_v<T, schema::SceneFile> && member.children.empty();
       else if (member.kind == Kind::table)
         member.is_default = member.is_default && usual != nullptr && !is_absent(*usual) &&
                             std::all_of(member.children.begin(), member.children.end(),

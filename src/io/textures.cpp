@@ -9,6 +9,8 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace raywalk {
@@ -16,6 +18,20 @@ namespace raywalk {
 namespace {
 
 constexpr std::size_t max_bytes = std::size_t{256} << 20;
+
+/// Why numbers in floats are no map; empty where they are.
+std::string why_no_map(const Image& image) {
+  constexpr float most = 1e6F;
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    for (int channel = 0; channel < 3; ++channel) {
+      const float value = image.pixels[i][channel];
+      if (value >= 0 && value <= most) continue;
+      const auto width = static_cast<std::size_t>(image.width);
+      return fmt::format("pixel ({}, {}), from the top left, is {} (expected numbers from 0 to {:g})", i % width,
+                         i / width, value, most);
+    }
+  return {};
+}
 
 /// Loads the pixels of textures; each file is decoded once, whatever its names.
 class Loader {
@@ -29,6 +45,16 @@ class Loader {
         if (!pixels) return tl::unexpected(pixels.error());
         object.material.texture->pixels = *pixels;
       }
+      std::optional<Error> failure;
+      each_map(object.material, [&](MapImage& map, bool colour) {
+        if (failure || map.file.empty()) return;
+        auto pixels = map_of(object, map.file, colour ? ByteMeaning::colour : ByteMeaning::number);
+        if (pixels)
+          map.pixels = *pixels;
+        else
+          failure = pixels.error();
+      });
+      if (failure) return tl::unexpected(*failure);
       if (auto* instance = std::get_if<Instance>(&object.shape); instance && instance->content) {
         const auto content = loaded(instance->content);
         if (!content) return tl::unexpected(content.error());
@@ -57,6 +83,25 @@ class Loader {
     return pixels = std::make_shared<const Image>(std::move(*decoded));
   }
 
+  Result<Pixels> map_of(const Object& object, const std::string& file, ByteMeaning meaning) {
+    const std::string path = (std::filesystem::path(folder_) / file).string();
+    Pixels& pixels = maps_[{detail::one_name(path), meaning}];
+    if (pixels) return pixels;
+    const auto bytes = read_file(path, max_bytes);
+    auto decoded = bytes ? decode_map(*bytes, path, meaning) : tl::unexpected(bytes.error());
+    if (decoded) {
+      if (const std::string why = why_no_map(*decoded); !why.empty())
+        decoded = tl::unexpected(Error{path, 0, 0, why, "paint it over, or write it again"});
+    }
+    if (!decoded) {
+      Error error = decoded.error();
+      error.hint =
+          fmt::format("it is a map of \"{}\", looked for from the scene's folder; {}", object.name, error.hint);
+      return tl::unexpected(error);
+    }
+    return pixels = std::make_shared<const Image>(std::move(*decoded));
+  }
+
   /// A group's shared content, with its textures loaded; unchanged if it has none.
   Result<Content> loaded(const Content& content) {
     if (const auto known = contents_.find(content); known != contents_.end()) return known->second;
@@ -64,7 +109,8 @@ class Loader {
     if (const auto inside = load(group.objects); !inside) return tl::unexpected(inside.error());
     const auto differs = [](const Object& now, const Object& before) {
       const auto* instance = std::get_if<Instance>(&now.shape);
-      return now.material.texture || (instance && instance->content != std::get<Instance>(before.shape).content);
+      return now.material.texture || now.material.is_mapped() ||
+             (instance && instance->content != std::get<Instance>(before.shape).content);
     };
     bool same = true;
     for (std::size_t i = 0; i < group.objects.size(); ++i)
@@ -73,7 +119,8 @@ class Loader {
   }
 
   std::string folder_;
-  std::map<std::string, Pixels> pixels_;  ///< by file
+  std::map<std::string, Pixels> pixels_;                        ///< by file
+  std::map<std::pair<std::string, ByteMeaning>, Pixels> maps_;  ///< the same
   std::map<Content, Content> contents_;
 };
 

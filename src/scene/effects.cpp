@@ -167,6 +167,14 @@ EffectUse microfacets(const Scene& scene, Integrator integrator) {
   return integrator == Integrator::radiosity ? left_out(integrator, "takes matt surfaces as smooth") : matt;
 }
 
+/// Where light is of patches or of whole cones, a normal of one point says nothing.
+EffectUse maps(const Scene& scene, Integrator integrator) {
+  EffectUse use = use_if(scene, &Material::has_mapped_parameters, "is another material from point to point", "");
+  if (use.used) return use;
+  use = use_if(scene, &Material::has_bent_normals, "has a relief of normals", "every surface is alike all over");
+  return use.used && !bends_normals(integrator) ? left_out(integrator, "takes reliefs as flat") : use;
+}
+
 EffectUse shadows(const Scene& scene, Integrator integrator) {
   const Light* light = first_light(scene, [](const Light&) { return true; });
   if (light == nullptr && indirect_light(scene, integrator).used) {
@@ -214,6 +222,7 @@ Effects effects_of(const Scene& scene, int samples_per_pixel) {
   effects[Effect::scattering] = scattering(scene, integrator);
   effects[Effect::filtering] = filtering(scene);
   effects[Effect::microfacets] = microfacets(scene, integrator);
+  effects[Effect::maps] = maps(scene, integrator);
   effects[Effect::textures] =
       use_if(scene, [](const Material& m) { return m.checker.has_value(); }, "is checkered", "");
   EffectUse& textures = effects[Effect::textures];

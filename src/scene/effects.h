@@ -27,6 +27,7 @@ enum class Effect {
   scattering,
   filtering,
   microfacets,
+  maps,
 };
 template <>
 inline constexpr Word<Effect> words_of<Effect>[] = {{Effect::shadows, "shadows"},
@@ -43,7 +44,8 @@ inline constexpr Word<Effect> words_of<Effect>[] = {{Effect::shadows, "shadows"}
                                                     {Effect::sky, "sky"},
                                                     {Effect::scattering, "scattering"},
                                                     {Effect::filtering, "filtering"},
-                                                    {Effect::microfacets, "microfacets"}};
+                                                    {Effect::microfacets, "microfacets"},
+                                                    {Effect::maps, "maps"}};
 inline constexpr int effect_count = static_cast<int>(std::size(words_of<Effect>));
 
 struct EffectUse {
@@ -74,6 +76,11 @@ class Effects {
 /// Whether lights and lobes have extents for it, by samples or as a whole.
 [[nodiscard]] constexpr bool has_extents(Integrator integrator) {
   return draws_random(integrator) || traits_of(integrator).has_width;
+}
+
+/// Whether it shades by normals of maps; else by those of the shapes.
+[[nodiscard]] constexpr bool bends_normals(Integrator integrator) {
+  return !traits_of(integrator).has_width && integrator != Integrator::radiosity;
 }
 
 /// The number of points on a light that are sampled at a hit, along each of its two sides; 1 except for area lights.

@@ -3,10 +3,12 @@
 #include "image/image.h"
 #include "math/vec.h"
 #include "math/words.h"
+#include "scene/maps.h"
 
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace raywalk {
 
@@ -107,22 +109,55 @@ struct Material {
   Rgbd emission{0.0};                            ///< radiance that the surface emits
   std::optional<Checker> checker;
   std::optional<ImageTexture> texture{};
+  std::vector<ParameterMap> maps{};  ///< of different parameters
+  std::optional<NormalMap> normal_map{};
+  std::optional<BumpMap> bump_map{};
+  std::optional<Mask> mask{};
   friend bool operator==(const Material&, const Material&) = default;
 
-  [[nodiscard]] bool reflects() const { return !is_black(reflection); }
+  // What there is somewhere on the surface: with a mask, also by the second material.
+  [[nodiscard]] bool reflects() const { return !is_black(reflection) || (mask && !is_black(mask->second.reflection)); }
   [[nodiscard]] bool transmits() const { return !is_black(transmission); }
   [[nodiscard]] bool is_glossy() const { return gloss > 0 && (reflects() || transmits()); }
   /// Small facets that reflect, or transmit too.
   [[nodiscard]] bool is_rough() const { return is_rough_mirror() || is_rough_glass(); }
-  [[nodiscard]] bool is_rough_mirror() const { return roughness > 0 && reflects() && !is_rough_glass(); }
-  [[nodiscard]] bool is_rough_glass() const { return roughness > 0 && transmits() && dielectric; }
-  [[nodiscard]] bool is_rough_diffuse() const { return diffuse_roughness > 0 && !is_black(diffuse); }
+  [[nodiscard]] bool is_rough_mirror() const { return has_roughness() && reflects() && !is_rough_glass(); }
+  [[nodiscard]] bool is_rough_glass() const { return has_roughness() && transmits() && dielectric; }
+  [[nodiscard]] bool is_rough_diffuse() const {
+    return (diffuse_roughness > 0 && !is_black(diffuse)) ||
+           (mask && mask->second.diffuse_roughness > 0 && !is_black(mask->second.diffuse));
+  }
   [[nodiscard]] bool is_metal() const { return mirror != MirrorKind::ideal && reflects(); }
   [[nodiscard]] bool is_translucent() const { return translucency > 0 && transmits(); }
   [[nodiscard]] bool scatters_inside() const { return transmits() && !is_black(scattering); }
-  [[nodiscard]] bool emits() const { return !is_black(emission); }
+  [[nodiscard]] bool emits() const { return !is_black(emission) || (mask && !is_black(mask->second.emission)); }
   [[nodiscard]] bool filters_checker() const { return checker && checker->filter != CheckerFilter::none; }
   [[nodiscard]] bool filters_texture() const { return texture && texture->filter != TextureFilter::none; }
+  /// Whether its normals are not those of the shape.
+  [[nodiscard]] bool has_bent_normals() const { return normal_map || bump_map; }
+  /// Whether its parameters change from point to point, but for checker and texture.
+  [[nodiscard]] bool has_mapped_parameters() const { return !maps.empty() || mask; }
+  [[nodiscard]] bool is_mapped() const { return has_mapped_parameters() || has_bent_normals(); }
+
+ private:
+  [[nodiscard]] bool has_roughness() const { return roughness > 0 || (mask && mask->second.roughness > 0); }
 };
+
+/// All of its maps, each with whether its bytes are colours, else numbers. `AnyMaterial`: Material, const or not.
+template <class AnyMaterial, class Visit>
+void each_map(AnyMaterial& material, const Visit& visit) {
+  for (auto& map : material.maps) visit(map, is_colour(map.of));
+  if (material.normal_map) visit(*material.normal_map, false);
+  if (material.bump_map) visit(*material.bump_map, false);
+  if (!material.mask) return;
+  if (!material.mask->squares) visit(*material.mask, false);
+  for (auto& map : material.mask->second.maps) visit(map, is_colour(map.of));
+}
+
+/// The second material of its mask, with the rest as the material has it.
+[[nodiscard]] Material second_of(const Material& material);
+
+/// Why its maps and its mask do not go together with the rest; empty when they do.
+[[nodiscard]] std::string why_not_mapped(const Material& material);
 
 }  // namespace raywalk

@@ -69,6 +69,16 @@ std::string why_not_planar(const MeshShape& mesh) {
 
 std::string why_not_planar(const Object& object, const Affine<double>& outer);
 
+/// By a map of its own, or of its mesh file.
+bool has_bent_normals(const Object& object) {
+  if (std::holds_alternative<Instance>(object.shape)) return false;
+  const auto* mesh = std::get_if<MeshShape>(&object.shape);
+  return object.material.has_bent_normals() ||
+         (mesh && mesh->file_materials && mesh->materials &&
+          std::any_of(mesh->materials->begin(), mesh->materials->end(),
+                      [](const Material& material) { return material.has_bent_normals(); }));
+}
+
 std::string why_not_planar(const Instance& instance, const Affine<double>& map) {
   if (!instance.content) return "";
   for (const Object& object : instance.content->group.objects) {
@@ -82,9 +92,16 @@ std::string why_not_planar(const Instance& instance, const Affine<double>& map) 
 /// stay clear of the plan.
 std::string why_not_planar(const Object& object, const Affine<double>& outer) {
   const Affine<double> map = outer * affine_of(object.transform);
+  const auto meets_plan_anywhere = [&] {
+    Bounds<double> box = image_of(map, bounds(object.shape)), swept = box;
+    for (const MotionKey& key : object.motion) swept.include({box.min + key.offset, box.max + key.offset});
+    return swept.min.z <= 0 && 0 <= swept.max.z;
+  };
   const auto along_plan = [](const MotionKey& key) { return key.offset.z == 0; };
   const bool keeps_plan = map.x.z == 0 && map.y.z == 0 && map.z.x == 0 && map.z.y == 0 && map.move.z == 0 &&
                           std::all_of(object.motion.begin(), object.motion.end(), along_plan);
+  if (has_bent_normals(object) && (keeps_plan ? meets_plan(object.shape) : meets_plan_anywhere()))
+    return "has a relief of normals and meets z = 0";
   if (const auto* instance = std::get_if<Instance>(&object.shape); instance && keeps_plan)
     return why_not_planar(*instance, map);
   if (keeps_plan)
@@ -96,9 +113,7 @@ std::string why_not_planar(const Object& object, const Affine<double>& outer) {
             return why_not_planar(shape);
         },
         object.shape);
-  Bounds<double> box = image_of(map, bounds(object.shape)), swept = box;
-  for (const MotionKey& key : object.motion) swept.include({box.min + key.offset, box.max + key.offset});
-  return swept.min.z <= 0 && 0 <= swept.max.z ? "is moved out of z = 0 and still meets it" : "";
+  return meets_plan_anywhere() ? "is moved out of z = 0 and still meets it" : "";
 }
 
 }  // namespace

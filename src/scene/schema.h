@@ -340,6 +340,75 @@ void describe(Fields& f, ImageTexture& texture) {
 }
 
 template <class Fields>
+void map_size(Fields& f, MapImage& image) {
+  f.key("width", image.width, extent, "How wide one copy is on the surface.");
+  f.key("height", image.height, extent, "How high one copy is on the surface.");
+}
+
+template <class Fields>
+void describe(Fields& f, ParameterMap& map) {
+  f.about(
+      "An image that multiplies one of the parameters. It is seen by the point that a ray meets, and repeated like the "
+      "texture.");
+  f.required("of", map.of, mapped_parameters, "Which parameter.");
+  f.required("file", map.file, map_file_name,
+             "A .png, .jpg, .pfm, .exr or .hdr, looked for from the folder of the scene. For colours, its bytes are "
+             "decoded from sRGB; for numbers, they are the numbers from 0 to 1.");
+  map_size(f, map);
+  f.key("channel", map.channel, map_channels, "Where the image holds a number; of a colour all three count.");
+}
+
+template <class Fields>
+void describe(Fields& f, NormalMap& map) {
+  f.about(
+      "An image of normals as glTF has it: red is along the surface to the right, green upward, blue outward, each "
+      "from "
+      "-1 to 1. Light is shaded by them; the shape stays as it is.");
+  f.required("file", map.file, map_file_name, "Like that of a map of numbers.");
+  map_size(f, map);
+  f.key("strength", map.strength, not_negative, "How much they lean: a factor of red and green.");
+}
+
+template <class Fields>
+void describe(Fields& f, BumpMap& map) {
+  f.about("An image of heights, of which only the normals are seen (Blinn); the shape stays as it is.");
+  f.required("file", map.file, map_file_name, "Like that of a map of numbers.");
+  map_size(f, map);
+  f.key("relief", map.relief, coordinate_along_normal, "How far white lies above black; below 0, under it.");
+  f.key("channel", map.channel, map_channels, "Where the image holds the height.");
+}
+
+template <class Fields>
+void describe(Fields& f, SecondMaterial& second) {
+  f.about("What there is where the mask is 1. All other keys are those of the first material for both.");
+  f.key("ambient", second.ambient, share, "As of the first material.");
+  f.key("diffuse", second.diffuse, share, "As of the first material.");
+  f.key("diffuse_roughness", second.diffuse_roughness, diffuse_roughness, "As of the first material.");
+  f.key("specular", second.specular, share, "As of the first material.");
+  f.key("shininess", second.shininess, not_negative, "As of the first material.");
+  f.key("reflection", second.reflection, share, "As of the first material.");
+  f.key("roughness", second.roughness, roughness, "As of the first material.");
+  f.key("emission", second.emission, light_colour, "As of the first material.");
+  f.key("map", second.maps, tables);
+}
+
+template <class Fields>
+void describe(Fields& f, Mask& mask) {
+  f.about(
+      "How much of a second material there is at each point, from 0 to 1; all parameters are interpolated between the "
+      "two.");
+  f.key("file", mask.file, map_file_name, "Like that of a map of numbers. Either this or `squares`.");
+  map_size(f, mask);
+  f.key("channel", mask.channel, map_channels, "Where the image holds the share of the second material.");
+  f.key("squares", mask.squares, extent, "Edge of the squares of a checker, every second of which has the second one.");
+  f.check("file", mask.file.empty() == mask.squares.has_value(),
+          mask.squares ? "a mask has either a file or squares (expected one of them)"
+                       : "a mask without a file or squares (expected one of them)",
+          "file = \"rust.png\" is an image, squares = 0.5 a checker");
+  f.key("second", mask.second, table);
+}
+
+template <class Fields>
 void describe(Fields& f, Material& material) {
   f.about("How a surface answers light.");
   f.key("ambient", material.ambient, share, "ka: share of the ambient light that is sent back.");
@@ -387,6 +456,19 @@ void describe(Fields& f, Material& material) {
   f.key("emission", material.emission, light_colour, "Light that the surface gives off by itself.");
   f.key("checker", material.checker, table);
   f.key("texture", material.texture, table);
+  f.key("normal_map", material.normal_map, table);
+  f.key("bump_map", material.bump_map, table);
+  f.check("normal_map", material.normal == ShadingNormal::facing || !material.normal_map,
+          "a normal map does not go with a fixed normal (expected normal = \"facing\")",
+          "a fixed normal is used as it is given");
+  f.check("bump_map", material.normal == ShadingNormal::facing || !material.bump_map,
+          "a bump map does not go with a fixed normal (expected normal = \"facing\")",
+          "a fixed normal is used as it is given");
+  f.key("mask", material.mask, table);
+  f.key("map", material.maps, tables);
+  f.check(
+      material.maps.empty() ? "mask" : "map", [&] { return why_not_mapped(material); },
+      "a map multiplies a parameter; a mask mixes two materials in all that the second one has keys for");
 }
 
 // --- The sky

@@ -102,6 +102,12 @@ inline constexpr Number diffuse_roughness{
     .high = 1,
     .hint = "0 is chalk by Lambert, 0.5 clay, 1 dust",
 };
+inline constexpr Number coordinate_along_normal{
+    .words = "a number",
+    .low = -max_magnitude,
+    .hint = "such as 0.05: the height of the relief beside the size of its copies",
+    .unit = scene_units,
+};
 inline constexpr Number sun_elevation{
     .words = "an angle in degrees from 0 to 90",
     .high = 90,
@@ -166,6 +172,8 @@ inline constexpr Choice<ShadingNormal> shading_normals;
 inline constexpr Choice<CheckerFilter> checker_filters;
 inline constexpr Choice<TextureFilter> texture_filters;
 inline constexpr Choice<MirrorKind> mirror_kinds;
+inline constexpr Choice<MappedParameter> mapped_parameters;
+inline constexpr Choice<MapChannel> map_channels;
 inline constexpr Choice<Encoding> encodings;
 inline constexpr Choice<Integrator> integrators;
 /// What each of them follows: "How light is followed: shadows only (cast); ...".
@@ -206,7 +214,8 @@ inline constexpr Name own_name{100};
 inline constexpr OneLine ink_text{longest_ink_text};
 inline constexpr FileName file_name{"the name of a file in quotes", "it is looked for from the scene's own folder"},
     mesh_file_name{"the name of a mesh file in quotes", "such as file = \"bunny.ply\""},
-    sky_file_name{"the name of a picture's file in quotes", "such as file = \"evening.hdr\""};
+    sky_file_name{"the name of a picture's file in quotes", "such as file = \"evening.hdr\""},
+    map_file_name{"the name of a picture's file in quotes", "it is looked for from the scene's own folder"};
 
 /// How a list of numbers may be abbreviated.
 enum class Shorthand {

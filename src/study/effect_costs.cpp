@@ -114,6 +114,12 @@ std::optional<Scene> without(const Scene& scene, Effect effect) {
       change_materials(changed,
                        [](Material& m) { m.mirror = MirrorKind::ideal, m.roughness = m.diffuse_roughness = 0; });
       return changed;
+    case Effect::maps:
+      change_materials(changed, [](Material& m) {
+        m.maps.clear();
+        m.normal_map.reset(), m.bump_map.reset(), m.mask.reset();
+      });
+      return changed;
   }
   return std::nullopt;
 }

@@ -98,7 +98,8 @@ void BeamTracer<Watcher>::meet(Part& part, const Beam& beam) {
   const detail::MiddleOfPart<double> middle{part.ray, part.number, beam.medium};
   NoDifferential<double> none;
   part.at = prepare_vertex<AllEffects>(world_, nested_, middle, hit, statistics_, none);
-  part.ambient = part.at->surface->ambient;
+  part.ambient = part.at->values().ambient;
+  if (part.at->mapped) return;
   texture(part.ambient, *part.at->surface, world_.accelerator.primitives(), hit.primitive,
           SurfacePoint<double>{part.at->position, part.at->outward_normal}, hit.part, part.ray.time);
 }
@@ -142,7 +143,7 @@ Rgbd BeamTracer<Watcher>::shade_middle(int depth, const Part& part, const Direct
   PartShaded shaded{part.number, Rgbd(0.0), Rgbd(0.0), direct.terms, world_.background_along(part.ray.direction)};
   if (part.at) {
     shaded.ambient = part.ambient * world_.ambient;
-    shaded.emission = part.at->surface->emission;
+    shaded.emission = part.at->values().emission;
     shaded.total = shaded.ambient + shaded.emission + direct.sum;
   }
   const Rgbd total = shaded.total;

@@ -8,6 +8,7 @@
 #include "trace/rough_dielectric.h"
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <type_traits>
 
@@ -59,12 +60,23 @@ struct FacetLobes {
 };
 struct NoFacetLobes {};
 
+/// Where maps make the roughness of small facets, which then lies between two: those that are rougher, and how much of
+/// them there is, the rest being of FacetLobes. Null: those alone.
+template <class T>
+struct RougherLobes {
+  const Microsurface<T>* rougher = nullptr;
+  const RoughDielectric<T>* rougher_glass = nullptr;
+  T rougher_share = 0;  ///< in 0..1
+};
+struct NoRougherLobes {};
+
 /// The BSDF of a surface at a point, for one incoming ray. Whitted's terms as a scattering function f, times the
 /// cosine: kd / pi cos, the highlight ks / pi (n.h)^s as the tracer has it for lights, kr' and kt' in one direction
 /// each or uniformly over a cone, whose part beyond the surface is folded back; or each of them as small facets make
-/// it. `with_facets`: whether there may be facets; without, nothing asks for them.
-template <class T, bool with_facets = true>
-struct Bsdf : std::conditional_t<with_facets, FacetLobes<T>, NoFacetLobes> {
+/// it. `with_facets`: whether there may be facets, `with_maps`: and of two roughnesses; without, nothing asks for them.
+template <class T, bool with_facets = true, bool with_maps = with_facets>
+struct Bsdf : std::conditional_t<with_facets, FacetLobes<T>, NoFacetLobes>,
+              std::conditional_t<with_facets && with_maps, RougherLobes<T>, NoRougherLobes> {
   Vec3<T> incident;          ///< unit, towards the surface
   Vec3<T> shading_normal;    ///< unit, facing the ray; interpolated on smooth meshes
   Vec3<T> geometric_normal;  ///< unit, facing the ray: decides what is in front of and behind the surface
@@ -90,6 +102,16 @@ struct Bsdf : std::conditional_t<with_facets, FacetLobes<T>, NoFacetLobes> {
     this->both = kept;
     mirror = its.reflectance(this->side, cos) * kept;
     transparent = kept - mirror;
+  }
+  static constexpr bool may_mix = with_facets && with_maps;
+  /// With the share of rougher glass in it; after `take_glass`.
+  void mix_glass(const RoughDielectric<T>& other, T share, T cos)
+    requires may_mix
+  {
+    this->rougher_glass = &other;
+    this->rougher_share = share;
+    mirror += share * (other.reflectance(this->side, cos) * this->both - mirror);
+    transparent = this->both - mirror;
   }
   /// Sets the selection probabilities of the lobes by what each can contribute at this throughput. To be called once
   /// all members are set.
@@ -136,6 +158,8 @@ struct Bsdf : std::conditional_t<with_facets, FacetLobes<T>, NoFacetLobes> {
   [[nodiscard]] Rgb<T> highlight_of_facets(const Vec3<T>& direction) const {
     if constexpr (with_facets) {
       if (this->glass != nullptr) return pi_v<T> * by_glass(direction).value;
+      if constexpr (may_mix)
+        if (this->rougher != nullptr) return pi_v<T> * by_two_mirrors(direction).value;
       if (this->facets != nullptr) {
         const auto by_facets = this->facets->facets->evaluate(shading_normal, -incident, direction);
         return pi_v<T> * mirror * this->facets->value(by_facets);
@@ -166,8 +190,36 @@ struct Bsdf : std::conditional_t<with_facets, FacetLobes<T>, NoFacetLobes> {
   [[nodiscard]] BsdfValue by_glass(const Vec3<T>& direction) const {
     // An interpolated normal may have it on another side than the surface.
     if ((dot(geometric_normal, direction) > 0) != (dot(shading_normal, direction) > 0)) return {};
+    if constexpr (may_mix) {
+      if (this->rougher_glass != nullptr) {
+        const auto by = [&](const RoughDielectric<T>& its) -> BsdfValue {
+          const auto at = its.evaluate(this->side, shading_normal, -incident, direction);
+          return {its.value(this->both, at), at.pdf_of_both};
+        };
+        return mixed(by(*this->glass), by(*this->rougher_glass));
+      }
+    }
     const auto at = this->glass->evaluate(this->side, shading_normal, -incident, direction);
     return {this->glass->value(this->both, at), at.pdf_of_both};
+  }
+  /// What small mirrors of two roughnesses reflect.
+  [[nodiscard]] BsdfValue by_two_mirrors(const Vec3<T>& direction) const {
+    const auto by = [&](const Microsurface<T>& mirrors) -> BsdfValue {
+      const auto at = mirrors.facets->evaluate(shading_normal, -incident, direction);
+      return {mirror * mirrors.value(at), at.pdf};
+    };
+    return mixed(by(*this->facets), by(*this->rougher));
+  }
+  [[nodiscard]] BsdfValue mixed(const BsdfValue& less, const BsdfValue& more) const {
+    return {less.value + this->rougher_share * (more.value - less.value),
+            less.pdf + this->rougher_share * (more.pdf - less.pdf)};
+  }
+  /// Whether a direction is drawn of the rougher facets; `u` is then as it was, in 0..1 among those that say the same.
+  [[nodiscard]] bool chooses_rougher(T& u) const {
+    const T share = this->rougher_share;
+    const bool chosen = u < share;
+    u = std::clamp(chosen ? u / share : (u - share) / (1 - share), T(0), 1 - std::numeric_limits<T>::epsilon() / 2);
+    return chosen;
   }
   [[nodiscard]] bool has(Lobe lobe) const { return probability(lobe) > 0; }
   /// `direction` mirrored in the surface.
@@ -189,8 +241,8 @@ struct Bsdf : std::conditional_t<with_facets, FacetLobes<T>, NoFacetLobes> {
   int lobes_ = 0;
 };
 
-template <class T, bool with_facets>
-void Bsdf<T, with_facets>::prepare(const Rgb<T>& throughput) {
+template <class T, bool with_facets, bool with_maps>
+void Bsdf<T, with_facets, with_maps>::prepare(const Rgb<T>& throughput) {
   const auto contribution = [&throughput](const Rgb<T>& reflectance) { return dot(throughput, reflectance); };
   probabilities_ = {contribution(diffuse), contribution(highlight) * std::min(T(1), 8 / (shininess + 2)),
                     contribution(mirror), contribution(transparent)};
@@ -200,8 +252,8 @@ void Bsdf<T, with_facets>::prepare(const Rgb<T>& throughput) {
   for (T& probability : probabilities_) probability = sum > 0 ? probability / sum : 0;
 }
 
-template <class T, bool with_facets>
-Bsdf<T, with_facets> Bsdf<T, with_facets>::only(Lobe lobe) const {
+template <class T, bool with_facets, bool with_maps>
+auto Bsdf<T, with_facets, with_maps>::only(Lobe lobe) const -> Bsdf {
   Bsdf alone = *this;
   if (lobe != Lobe::diffuse) alone.diffuse = Rgb<T>(0);
   if (lobe != Lobe::highlight) alone.highlight = Rgb<T>(0);
@@ -211,14 +263,15 @@ Bsdf<T, with_facets> Bsdf<T, with_facets>::only(Lobe lobe) const {
   return alone;
 }
 
-template <class T, bool with_facets>
-auto Bsdf<T, with_facets>::evaluate(const Vec3<T>& direction, std::optional<Lobe> drawn) const -> BsdfValue {
+template <class T, bool with_facets, bool with_maps>
+auto Bsdf<T, with_facets, with_maps>::evaluate(const Vec3<T>& direction, std::optional<Lobe> drawn) const -> BsdfValue {
   return evaluate_inline(direction, drawn);
 }
 
-template <class T, bool with_facets>
-[[gnu::always_inline]] inline auto Bsdf<T, with_facets>::evaluate_inline(const Vec3<T>& direction,
-                                                                         std::optional<Lobe> drawn) const -> BsdfValue {
+template <class T, bool with_facets, bool with_maps>
+[[gnu::always_inline]] inline auto Bsdf<T, with_facets, with_maps>::evaluate_inline(const Vec3<T>& direction,
+                                                                                    std::optional<Lobe> drawn) const
+    -> BsdfValue {
   BsdfValue at;
   if (dot(geometric_normal, direction) > 0) {
     const T cos = dot(shading_normal, direction);
@@ -248,6 +301,14 @@ template <class T, bool with_facets>
         at.pdf += probability_of_choice(Lobe::mirror) * reflected.pdf;
         return at;
       }
+      if constexpr (may_mix) {
+        if (this->rougher != nullptr && has(Lobe::mirror)) {
+          const BsdfValue reflected = by_two_mirrors(direction);
+          at.value += reflected.value;
+          at.pdf += probability(Lobe::mirror) * reflected.pdf;
+          return at;
+        }
+      }
       if (this->facets != nullptr && has(Lobe::mirror)) {
         const auto by_facets = this->facets->facets->evaluate(shading_normal, -incident, direction);
         at.value += mirror * this->facets->value(by_facets);
@@ -276,8 +337,8 @@ template <class T, bool with_facets>
   return at;
 }
 
-template <class T, bool with_facets>
-Lobe Bsdf<T, with_facets>::sample_lobe(T u) const {
+template <class T, bool with_facets, bool with_maps>
+Lobe Bsdf<T, with_facets, with_maps>::sample_lobe(T u) const {
   Lobe last = Lobe::diffuse;
   for (const Lobe lobe : {Lobe::diffuse, Lobe::highlight, Lobe::mirror, Lobe::transparent}) {
     if (!has(lobe)) continue;
@@ -288,8 +349,9 @@ Lobe Bsdf<T, with_facets>::sample_lobe(T u) const {
   return last;  // rounding left a little
 }
 
-template <class T, bool with_facets>
-auto Bsdf<T, with_facets>::sample(Lobe lobe, const Vec2<T>& u, [[maybe_unused]] T chosen_by) const -> BsdfSample {
+template <class T, bool with_facets, bool with_maps>
+auto Bsdf<T, with_facets, with_maps>::sample(Lobe lobe, const Vec2<T>& u, [[maybe_unused]] T chosen_by) const
+    -> BsdfSample {
   BsdfSample choice{lobe, Vec3<T>(0), Rgb<T>(0), 0};
   if constexpr (with_facets)
     if (is_glass(lobe)) return sample_glass(u, chosen_by);
@@ -305,6 +367,14 @@ auto Bsdf<T, with_facets>::sample(Lobe lobe, const Vec2<T>& u, [[maybe_unused]] 
       choice.direction = mirror_axis;
       if (sharp(lobe)) break;
       if constexpr (with_facets) {
+        if constexpr (may_mix) {
+          if (this->rougher != nullptr) {
+            Vec2<T> rest = u;
+            const Microsurface<T>* const mirrors = chooses_rougher(rest.x) ? this->rougher : this->facets;
+            choice.direction = mirrors->facets->sample(shading_normal, -incident, rest);
+            break;
+          }
+        }
         if (this->facets != nullptr) {
           choice.direction = this->facets->facets->sample(shading_normal, -incident, u);
           break;
@@ -335,10 +405,14 @@ auto Bsdf<T, with_facets>::sample(Lobe lobe, const Vec2<T>& u, [[maybe_unused]] 
   return choice;
 }
 
-template <class T, bool with_facets>
-auto Bsdf<T, with_facets>::sample_glass(const Vec2<T>& u, T chosen_by) const -> BsdfSample {
+template <class T, bool with_facets, bool with_maps>
+auto Bsdf<T, with_facets, with_maps>::sample_glass(const Vec2<T>& u, T chosen_by) const -> BsdfSample {
   const T choice_of_facet = among_choices(Lobe::mirror, chosen_by);
-  const auto [direction, through] = this->glass->sample_both(this->side, shading_normal, -incident, u, choice_of_facet);
+  const RoughDielectric<T>* drawn = this->glass;
+  Vec2<T> rest = u;
+  if constexpr (may_mix)
+    if (this->rougher_glass != nullptr && chooses_rougher(rest.x)) drawn = this->rougher_glass;
+  const auto [direction, through] = drawn->sample_both(this->side, shading_normal, -incident, rest, choice_of_facet);
   BsdfSample choice{through ? Lobe::transparent : Lobe::mirror, direction, Rgb<T>(0), 0};
   if ((dot(geometric_normal, direction) <= 0) != through) return choice;
   const BsdfValue at = evaluate(direction, choice.lobe);

@@ -28,9 +28,14 @@ namespace {
 template <class T, class Watcher>
 Statistics run(const World<T>& world, const ConeBodies& bodies, bool flat, const RayGenerator<T>& camera,
                const PixelBlock& block, const PutPixel<T>& put, Watcher& observer) {
-  ConeTracer<T, Watcher> tracer(world, bodies, flat, camera, observer, block.stop);
-  tracer.main_algorithm(block, put);
-  return tracer.statistics();
+  const auto run_with = [&]<bool with_maps>() {
+    ConeTracer<T, Watcher, with_maps> tracer(world, bodies, flat, camera, observer, block.stop);
+    tracer.main_algorithm(block, put);
+    return tracer.statistics();
+  };
+  if constexpr (!Watcher::watches && !few_kernels)
+    if (world.surface_maps.empty()) return run_with.template operator()<false>();
+  return run_with.template operator()<true>();
 }
 
 }  // namespace

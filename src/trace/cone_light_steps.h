@@ -29,17 +29,17 @@ template <class T>
 
 }  // namespace detail
 
-template <class T, class Watcher>
-auto ConeTracer<T, Watcher>::lights_of(const Part& part) const -> const std::vector<Light>& {
+template <class T, class Watcher, bool with_maps>
+auto ConeTracer<T, Watcher, with_maps>::lights_of(const Part& part) const -> const std::vector<Light>& {
   static const std::vector<Light> none;
   return part.at && world_.effects.used(Effect::shadows) ? world_.lights : none;
 }
 
 /// From the part's width at the surface to the light's.
-template <class T, class Watcher>
-auto ConeTracer<T, Watcher>::form_shadow_cone(int depth, const Part& part, const Cone& cone, const Light& light)
-    -> std::optional<Shadow> {
-  const SurfaceVertex<T>& at = *part.at;
+template <class T, class Watcher, bool with_maps>
+auto ConeTracer<T, Watcher, with_maps>::form_shadow_cone(int depth, const Part& part, const Cone& cone,
+                                                         const Light& light) -> std::optional<Shadow> {
+  const Vertex& at = *part.at;
   const Vec3<T> to_light = light.direction_to(light.place, at.position);
   const bool faces = dot(at.bsdf.shading_normal, to_light) > 0 || at.surface->lit_from_behind;
   const Rgb<T> throughput = cone.throughput * static_cast<T>(part.share);
@@ -69,8 +69,9 @@ auto ConeTracer<T, Watcher>::form_shadow_cone(int depth, const Part& part, const
 }
 
 /// Each object covers its share of what those beside it leave: in which order makes no difference.
-template <class T, class Watcher>
-Rgb<T> ConeTracer<T, Watcher>::find_uncovered(int depth, const Part& part, const Shadow& shadow, const Light& light) {
+template <class T, class Watcher, bool with_maps>
+Rgb<T> ConeTracer<T, Watcher, with_maps>::find_uncovered(int depth, const Part& part, const Shadow& shadow,
+                                                         const Light& light) {
   Rgb<T> uncovered{1};
   std::optional<ConePart> most;
   if (world_.occludes) {
@@ -108,13 +109,13 @@ Rgb<T> ConeTracer<T, Watcher>::find_uncovered(int depth, const Part& part, const
 }
 
 /// Of an object between a part and a light: 0, unless its material filters shadows.
-template <class T, class Watcher>
-Rgb<T> ConeTracer<T, Watcher>::transmittance_of(const ConePart& blocker, const Part& part, const Shadow& shadow,
-                                                const Light& light) {
+template <class T, class Watcher, bool with_maps>
+Rgb<T> ConeTracer<T, Watcher, with_maps>::transmittance_of(const ConePart& blocker, const Part& part,
+                                                           const Shadow& shadow, const Light& light) {
   const int object = bodies_[blocker.body].object;
   const int primitive = primitives_[static_cast<std::size_t>(object)];
   if (role_of(world_.shadow_roles, primitive) != ShadowRole::filters) return Rgb<T>(0);
-  const SurfaceVertex<T>& at = *part.at;
+  const Vertex& at = *part.at;
   const double distance = length(Vec3d(shadow.to_light));
   const Vec3<T> along(distance * shadow.cone.direction(blocker.place));
   const auto ray = spawn_ray<Ray<T>>(world_, Vec3<T>(shadow.cone.start(blocker.place)), at.bsdf.geometric_normal,
@@ -125,14 +126,14 @@ Rgb<T> ConeTracer<T, Watcher>::transmittance_of(const ConePart& blocker, const P
   return primitive_transmittance(world_, ray, light.t_far(), statistics_.tests, primitive);
 }
 
-template <class T, class Watcher>
-void ConeTracer<T, Watcher>::add_unlit(DirectLighting& direct, const Light& light) {
+template <class T, class Watcher, bool with_maps>
+void ConeTracer<T, Watcher, with_maps>::add_unlit(DirectLighting& direct, const Light& light) {
   if constexpr (Observer::watches) direct.terms.push_back({light.index});
 }
 
-template <class T, class Watcher>
-void ConeTracer<T, Watcher>::add_light(DirectLighting& direct, const Part& part, const Light& light,
-                                       const Shadow& shadow, const Rgb<T>& uncovered) {
+template <class T, class Watcher, bool with_maps>
+void ConeTracer<T, Watcher, with_maps>::add_light(DirectLighting& direct, const Part& part, const Light& light,
+                                                  const Shadow& shadow, const Rgb<T>& uncovered) {
   if (is_black(uncovered)) return add_unlit(direct, light);
   const detail::PartLight<T> brought = detail::light_on(*part.at, part.ray, light, shadow.to_light, uncovered);
   direct.sum += brought.diffuse + brought.specular;

@@ -46,9 +46,9 @@ class ConeDifferential {
 
 }  // namespace detail
 
-template <class T, class Watcher>
-ConeTracer<T, Watcher>::ConeTracer(const World<T>& world, const ConeBodies& bodies, bool flat,
-                                   const RayGenerator<T>& camera, Observer& observer, const Stop& stop)
+template <class T, class Watcher, bool with_maps>
+ConeTracer<T, Watcher, with_maps>::ConeTracer(const World<T>& world, const ConeBodies& bodies, bool flat,
+                                              const RayGenerator<T>& camera, Observer& observer, const Stop& stop)
     : world_(world),
       bodies_(bodies),
       flat_(flat),
@@ -59,15 +59,15 @@ ConeTracer<T, Watcher>::ConeTracer(const World<T>& world, const ConeBodies& bodi
       far_(detail::far_from(Vec3d(camera.eye()), bodies)),
       nested_(world) {}
 
-template <class T, class Watcher>
-void ConeTracer<T, Watcher>::begin(const Pixel& pixel) {
+template <class T, class Watcher, bool with_maps>
+void ConeTracer<T, Watcher, with_maps>::begin(const Pixel& pixel) {
   stop_.check();
   note(Line::cone_for_each_pixel, 0, [&] { return PixelBegun{pixel.column, pixel.row, pixel.sample}; });
 }
 
 /// In a flat world between the pixel's edges; else of the pixel's area.
-template <class T, class Watcher>
-auto ConeTracer<T, Watcher>::form_cone(const Pixel& pixel) -> Cone {
+template <class T, class Watcher, bool with_maps>
+auto ConeTracer<T, Watcher, with_maps>::form_cone(const Pixel& pixel) -> Cone {
   const Vec3d eye(camera_.eye());
   const Vec3d from(camera_.edge(pixel.column, pixel.row)), to(camera_.edge(pixel.column + 1, pixel.row));
   Vec3d axis;
@@ -96,8 +96,8 @@ auto ConeTracer<T, Watcher>::form_cone(const Pixel& pixel) -> Cone {
   return cone;
 }
 
-template <class T, class Watcher>
-auto ConeTracer<T, Watcher>::find_cover(Line line, int depth, const Cone& cone) -> std::vector<Part> {
+template <class T, class Watcher, bool with_maps>
+auto ConeTracer<T, Watcher, with_maps>::find_cover(Line line, int depth, const Cone& cone) -> std::vector<Part> {
   stop_.check();
   std::vector<Part> parts;
   for (const ConePart& piece : cover_cone(bodies_, cone.shape, cone.leaves, statistics_.tests)) {
@@ -127,8 +127,8 @@ auto ConeTracer<T, Watcher>::find_cover(Line line, int depth, const Cone& cone) 
 }
 
 /// The ray in the middle of a part, and what it meets: what all of the part sees.
-template <class T, class Watcher>
-void ConeTracer<T, Watcher>::meet(Part& part, const Cone& cone) {
+template <class T, class Watcher, bool with_maps>
+void ConeTracer<T, Watcher, with_maps>::meet(Part& part, const Cone& cone) {
   const Vec3d direction = cone.shape.direction(part.place);
   const double size = length(direction);
   part.ray = {Vec3<T>(cone.shape.start(part.place)), normalize(Vec3<T>(direction)), cone.departure,
@@ -142,7 +142,9 @@ void ConeTracer<T, Watcher>::meet(Part& part, const Cone& cone) {
   detail::ConeDifferential<T> differential(world_, part.width);
   part.at = prepare_vertex<AllEffects>(world_, nested_, middle, hit, statistics_, differential);
   const auto& surface = *part.at->surface;
-  part.ambient = surface.ambient;
+  part.ambient = part.at->values().ambient;
+  if constexpr (with_maps)
+    if (part.at->mapped) return;
   const SurfacePoint<T> point{part.at->position, part.at->outward_normal};
   if (differential.filters(surface))
     part.ambient *= differential.pattern(hit, point, part.ray.time);
@@ -151,8 +153,8 @@ void ConeTracer<T, Watcher>::meet(Part& part, const Cone& cone) {
 }
 
 /// As drawn: two sides of a part, or of all of a cone, in the plan or beside the axis.
-template <class T, class Watcher>
-BeamArea ConeTracer<T, Watcher>::area_of(const RayCone& cone, const ConePart& part) const {
+template <class T, class Watcher, bool with_maps>
+BeamArea ConeTracer<T, Watcher, with_maps>::area_of(const RayCone& cone, const ConePart& part) const {
   const double t = part.body < 0 ? far_ : part.t;
   BeamArea area;
   for (const double side : {1.0, -1.0}) {
@@ -163,26 +165,26 @@ BeamArea ConeTracer<T, Watcher>::area_of(const RayCone& cone, const ConePart& pa
   return area;
 }
 
-template <class T, class Watcher>
-int ConeTracer<T, Watcher>::call_shade_cone(Line line, int depth, const Cone& cone) {
+template <class T, class Watcher, bool with_maps>
+int ConeTracer<T, Watcher, with_maps>::call_shade_cone(Line line, int depth, const Cone& cone) {
   note(line, depth, [&] { return ShadeCalled{cone.number, false, depth + 1}; });
   return depth + 1;
 }
 
-template <class T, class Watcher>
-void ConeTracer<T, Watcher>::begin(int depth, const std::vector<Part>& parts, const Part& part) {
+template <class T, class Watcher, bool with_maps>
+void ConeTracer<T, Watcher, with_maps>::begin(int depth, const std::vector<Part>& parts, const Part& part) {
   note(Line::cone_for_each_part, depth, [&] {
     return PartBegun{part.number, static_cast<int>(&part - parts.data()), static_cast<int>(parts.size()), part.share,
                      !part.at};
   });
 }
 
-template <class T, class Watcher>
-Rgb<T> ConeTracer<T, Watcher>::shade_middle(int depth, const Part& part, const DirectLighting& direct) {
+template <class T, class Watcher, bool with_maps>
+Rgb<T> ConeTracer<T, Watcher, with_maps>::shade_middle(int depth, const Part& part, const DirectLighting& direct) {
   Rgb<T> ambient{0}, emission{0}, total = world_.background_along(part.ray.direction);
   if (part.at) {
     ambient = part.ambient * world_.ambient;
-    emission = part.at->surface->emission;
+    emission = part.at->values().emission;
     total = ambient + emission + direct.sum;
   }
   note(Line::cone_shade_middle, depth,
@@ -190,16 +192,16 @@ Rgb<T> ConeTracer<T, Watcher>::shade_middle(int depth, const Part& part, const D
   return total;
 }
 
-template <class T, class Watcher>
-bool ConeTracer<T, Watcher>::decide_reflective(int depth, const Part& part) {
+template <class T, class Watcher, bool with_maps>
+bool ConeTracer<T, Watcher, with_maps>::decide_reflective(int depth, const Part& part) {
   const bool holds = part.at && !is_black(part.at->bsdf.mirror);
   note(Line::cone_if_reflective, depth,
        [&] { return Decided{holds, part.at ? Rgbd(part.at->bsdf.mirror) : Rgbd(0.0)}; });
   return holds;
 }
 
-template <class T, class Watcher>
-bool ConeTracer<T, Watcher>::decide_transparent(int depth, const Part& part) {
+template <class T, class Watcher, bool with_maps>
+bool ConeTracer<T, Watcher, with_maps>::decide_transparent(int depth, const Part& part) {
   const bool holds = part.at && !is_black(part.at->bsdf.transparent);
   note(Line::cone_if_transparent, depth, [&] {
     Decided decided{holds, part.at ? Rgbd(part.at->bsdf.transparent) : Rgbd(0.0)};
@@ -211,15 +213,16 @@ bool ConeTracer<T, Watcher>::decide_transparent(int depth, const Part& part) {
 }
 
 /// Of spheres alone: 1 / radius, towards the cone.
-template <class T, class Watcher>
-double ConeTracer<T, Watcher>::curvature_at(const Part& part) const {
+template <class T, class Watcher, bool with_maps>
+double ConeTracer<T, Watcher, with_maps>::curvature_at(const Part& part) const {
   const auto* ball = std::get_if<ConeBall>(&bodies_[part.body].shape);
   return ball == nullptr ? 0 : (part.at->entering ? 1 : -1) / ball->radius;
 }
 
-template <class T, class Watcher>
-auto ConeTracer<T, Watcher>::form_reflected_cone(int depth, const Part& part, const Cone& cone) -> std::optional<Cone> {
-  const Bsdf<T>& bsdf = part.at->bsdf;
+template <class T, class Watcher, bool with_maps>
+auto ConeTracer<T, Watcher, with_maps>::form_reflected_cone(int depth, const Part& part, const Cone& cone)
+    -> std::optional<Cone> {
+  const auto& bsdf = part.at->bsdf;
   const double cos_in = std::abs(static_cast<double>(dot(bsdf.incident, bsdf.shading_normal)));
   const ConeWidth width =
       widened(mirrored_cone(part.width, curvature_at(part), cos_in, flat_), static_cast<double>(bsdf.mirror_width));
@@ -227,10 +230,11 @@ auto ConeTracer<T, Watcher>::form_reflected_cone(int depth, const Part& part, co
                         part.at->medium);
 }
 
-template <class T, class Watcher>
-auto ConeTracer<T, Watcher>::form_refracted_cone(int depth, const Part& part, const Cone& cone) -> std::optional<Cone> {
+template <class T, class Watcher, bool with_maps>
+auto ConeTracer<T, Watcher, with_maps>::form_refracted_cone(int depth, const Part& part, const Cone& cone)
+    -> std::optional<Cone> {
   const Refraction<T>& at = part.at->refraction;
-  const Bsdf<T>& bsdf = part.at->bsdf;
+  const auto& bsdf = part.at->bsdf;
   const ConeWidth width =
       widened(refracted_cone(part.width, curvature_at(part), static_cast<double>(at.n1), static_cast<double>(at.n2),
                              static_cast<double>(at.cos_in), static_cast<double>(at.cos_out), flat_),
@@ -239,11 +243,12 @@ auto ConeTracer<T, Watcher>::form_refracted_cone(int depth, const Part& part, co
                         part.at->behind);
 }
 
-template <class T, class Watcher>
-auto ConeTracer<T, Watcher>::form_next_cone(Line line, int depth, const Part& part, const Cone& cone,
-                                            const Vec3<T>& axis, const ConeWidth& width, const Rgb<T>& weight,
-                                            const Medium* medium) -> std::optional<Cone> {
-  const SurfaceVertex<T>& at = *part.at;
+template <class T, class Watcher, bool with_maps>
+auto ConeTracer<T, Watcher, with_maps>::form_next_cone(Line line, int depth, const Part& part, const Cone& cone,
+                                                       const Vec3<T>& axis, const ConeWidth& width,
+                                                       const Rgb<T>& weight, const Medium* medium)
+    -> std::optional<Cone> {
+  const Vertex& at = *part.at;
   const Rgb<T> throughput = cone.throughput * at.throughput * weight * static_cast<T>(part.share);
   if (const auto why = detail::why_not_followed(world_, depth, throughput)) {
     ++statistics_.ends(*why);
@@ -269,9 +274,10 @@ auto ConeTracer<T, Watcher>::form_next_cone(Line line, int depth, const Part& pa
   return next;
 }
 
-template <class T, class Watcher>
-void ConeTracer<T, Watcher>::add_share(Rgb<T>& sum, int depth, const std::vector<Part>& parts, const Part& part,
-                                       const Rgb<T>& local, const Rgb<T>& reflected, const Rgb<T>& refracted) {
+template <class T, class Watcher, bool with_maps>
+void ConeTracer<T, Watcher, with_maps>::add_share(Rgb<T>& sum, int depth, const std::vector<Part>& parts,
+                                                  const Part& part, const Rgb<T>& local, const Rgb<T>& reflected,
+                                                  const Rgb<T>& refracted) {
   const Rgb<T> left = part.at ? part.at->throughput : Rgb<T>(1);
   const Rgb<T> shade = left * (local + reflected + refracted);
   sum += static_cast<T>(part.share) * shade;
@@ -281,9 +287,9 @@ void ConeTracer<T, Watcher>::add_share(Rgb<T>& sum, int depth, const std::vector
   });
 }
 
-template <class T, class Watcher>
+template <class T, class Watcher, bool with_maps>
 template <class Put>
-void ConeTracer<T, Watcher>::put_in_pixel(const Pixel& pixel, const Rgb<T>& final, Put& put) {
+void ConeTracer<T, Watcher, with_maps>::put_in_pixel(const Pixel& pixel, const Rgb<T>& final, Put& put) {
   if (!is_representable(final)) ++statistics_.not_finite;
   put(pixel, final);
   note(Line::cone_put_final_shade, 0, [&] { return PixelPut{pixel.column, pixel.row, pixel.sample, Rgbd(final)}; });

@@ -22,7 +22,7 @@
 
 namespace raywalk {
 
-template <class T, class Watcher>
+template <class T, class Watcher, bool with_maps = true>
 class ConeTracer {
  public:
   using Observer = Watcher;
@@ -52,7 +52,8 @@ class ConeTracer {
   [[nodiscard]] const Statistics& statistics() const { return statistics_; }
 
  private:
-  using AllEffects = Policy<T>;
+  using AllEffects = Policy<T, NoObserver, with_maps ? all_hit_effects : no_maps>;
+  using Vertex = SurfaceVertex<T, true, with_maps>;
   using Medium = typename World<T>::Medium;
   using Light = typename World<T>::Light;
   struct Cone {
@@ -69,8 +70,8 @@ class ConeTracer {
     ConeWidth width{};  ///< of what it covers, where that ray ends
     int number = 0;     ///< as above
     int object = -1;
-    std::optional<SurfaceVertex<T>> at{};  ///< what that ray meets
-    Rgb<T> ambient{0};                     ///< of the surface
+    std::optional<Vertex> at{};  ///< what that ray meets
+    Rgb<T> ambient{0};           ///< of the surface
   };
   struct Shadow {
     RayCone cone;

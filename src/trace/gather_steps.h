@@ -82,7 +82,7 @@ auto PhotonTracer<Policy>::add_background(const Rgb<T>& shade, const EyeRay& ray
 
 template <class Policy>
 void PhotonTracer<Policy>::add_emission(Rgb<T>& shade, const EyeRay& ray, const Vertex& at) {
-  const Rgb<T>& emission = at.surface->emission;
+  const Rgb<T>& emission = at.values().emission;
   const Rgb<T> added = ray.gathers ? Rgb<T>(0) : at.throughput * emission;
   shade += added;
   note(Line::gather_add_emission, ray.length,
@@ -201,7 +201,9 @@ std::optional<Ending> PhotonTracer<Policy>::aim_at_emitter(LightSample& light_sa
   }
   const T cos = dot(at.bsdf.shading_normal, to_light) / length(to_light);
   if (!(cos > 0) || !(dot(at.bsdf.geometric_normal, to_light) > 0) || !(pdf > 0)) return Ending::facing_away;
-  const Rgb<T>& emission = world_.surface(light_sample.target.primitive).emission;
+  [[maybe_unused]] Rgb<T> mapped;
+  if constexpr (Policy::effects.maps) mapped = world_.emission_at(light_sample.target, at.position, to_light, at.time);
+  const Rgb<T>& emission = Policy::effects.maps ? mapped : world_.surface(light_sample.target.primitive).emission;
   if constexpr (Policy::effects.microfacets) {
     if (at.bsdf.matt != nullptr) {
       const Rgb<T> answer = at.bsdf.diffuse_answer(to_light * (1 / length(to_light)), cos);

@@ -34,7 +34,7 @@ template <class T>
 Statistics run_watched_faulty_kernel(const World<T>& world, const RayGenerator<T>& camera, const PixelBlock& block,
                                      const PutPixel<T>& put, Observer& observer);
 
-/// Carries differentials: with the effects that most scenes have that filter, or with all.
+/// Carries differentials: with the effects that most scenes have that filter, with all but maps, or with all.
 template <class T>
 Kernel<T> filtering_kernel(const World<T>& world);
 
@@ -62,8 +62,8 @@ Statistics run_kernel(const World<T>& world, const RayGenerator<T>& camera, cons
 /// Each set that a kernel is compiled for: seven ways to scatter, each with or without textures, and with shadows,
 /// shadows and penumbras, or neither: forty-two, or three. One more leaves out shadow rays; one has a sky, which none
 /// of those has, nor scattering, which is for paths; one has metals and small mirrors too. Nesting is a set of its own:
-/// where nothing nests, a mere test at each hit would cost more than 0.1%. So would one for differentials: what filters
-/// has kernels apart, beside which those here stay as the compiler makes them without.
+/// where nothing nests, a mere test at each hit would cost more than 0.1%. So would one for differentials, or for maps:
+/// what filters or is mapped has kernels apart, beside which those here stay as the compiler makes them without.
 inline constexpr auto kernel_sets = [] {
   constexpr bool no = false, yes = true;
   struct Scattering {
@@ -82,8 +82,8 @@ inline constexpr auto kernel_sets = [] {
   for (const Scattering& to : scatterings)
     for (const auto& [shadows, penumbra] : lights)
       for (const bool textures : {no, yes}) {
-        const HitEffects set{to.reflection, to.refraction, textures, penumbra, to.lobes, shadows,
-                             to.nesting,    yes,           no,       no,       no,       no};
+        const HitEffects set{
+            to.reflection, to.refraction, textures, penumbra, to.lobes, shadows, to.nesting, yes, no, no, no, no, no};
         if (set == widened(set)) sets[at++] = set;
       }
   sets[at++] = no_occlusion;  // for looking, and need not be fast
@@ -92,7 +92,7 @@ inline constexpr auto kernel_sets = [] {
   return sets;
 }();
 
-/// The smallest of these that holds a world's effects; but for filtering, which has kernels of its own.
+/// The smallest of these that holds a world's effects; but for filtering and maps, which have kernels of their own.
 [[nodiscard]] constexpr std::size_t kernel_set_for(HitEffects set) {
   if (!set.occlusion) {
     set = no_occlusion;
@@ -101,7 +101,7 @@ inline constexpr auto kernel_sets = [] {
   } else if (set.sky || set.scattering) {
     set = no_filtering_nor_facets;
   } else {
-    set.filtering = false;
+    set.filtering = set.maps = false;
   }
   return static_cast<std::size_t>(std::find(kernel_sets.begin(), kernel_sets.end(), widened(set)) -
                                   kernel_sets.begin());
@@ -132,7 +132,7 @@ Kernel<T> fitting_kernel(const World<T>& world) {
   }(std::make_index_sequence<kernel_sets.size()>());
   HitEffects set = hit_effects(world.effects, world.lights.size(), !world.bodies.empty());
   set.occlusion = world.occludes;
-  if (set.filtering && set.occlusion) return filtering_kernel(world);
+  if ((set.filtering || set.maps) && set.occlusion) return filtering_kernel(world);
   return kernels[kernel_set_for(set)];
 }
 

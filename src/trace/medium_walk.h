@@ -51,15 +51,15 @@ struct FreePath {
 };
 
 /// A vertex of a path that may walk inside: at a surface, or where a medium scatters, which then has a phase function.
-template <class T, bool with_facets = true>
-struct MediumVertex : SurfaceVertex<T, with_facets> {
+template <class T, bool with_facets = true, bool with_maps = true>
+struct MediumVertex : SurfaceVertex<T, with_facets, with_maps> {
   std::optional<PhaseFunction<T>> phase;
   bool seamless = false;  ///< the surface between two media of equal index, which lets everything through
   // Of the ray that led here:
   Vec3<T> scattered_at{0};  ///< where it got its direction
   T pdf = 0;                ///< of this direction
 
-  MediumVertex(const SurfaceVertex<T, with_facets>& at) : SurfaceVertex<T, with_facets>(at) {}
+  MediumVertex(const SurfaceVertex<T, with_facets, with_maps>& at) : SurfaceVertex<T, with_facets, with_maps>(at) {}
 };
 
 /// Whether the primitive is of the body's surface that the medium is in. `nested`: the media where bodies nest.

@@ -77,4 +77,32 @@ template <class T>
   return geometric_normal;
 }
 
+/// The same of a normal that a map has bent, without steps, for maps bend normals everywhere: where the reflected ray
+/// would come too close to the surface, or into it, it is lifted along the bent normal, and the normal is halfway
+/// between that and the eye (A. Keller et al., "The Iray Light Transport Simulation and Rendering System", SIGGRAPH
+/// talks 2017, as its normals are clamped). It is lifted as high as the ray came, up to 3 degrees, and not to the
+/// horizon alone, from where a ray inside of a ball would only meet the same place again. The result faces the ray.
+template <class T>
+[[nodiscard]] Vec3<T> clamped_shading_normal(const Vec3<T>& unit_incident, const Vec3<T>& geometric_normal,
+                                             const Vec3<T>& bent) {
+  const T facing = -dot(unit_incident, geometric_normal), least = std::min(facing, T(0.05));
+  const auto height_by = [&](const Vec3<T>& normal) {
+    return dot(normal, unit_incident) < 0 ? dot(reflect(unit_incident, normal), geometric_normal) : T(-1);
+  };
+  if (const T height = height_by(bent); height > 0 && height >= least) return bent;
+  const Vec3<T> along = reflect(unit_incident, bent);
+  const T lean = std::max(dot(bent, geometric_normal), T(1e-3));
+  const Vec3<T> lifted = along + (least - dot(along, geometric_normal)) / lean * bent;
+  const Vec3<T> aside = lifted - dot(lifted, geometric_normal) * geometric_normal;
+  const T far = length(aside);
+  if (!(far > 0)) return geometric_normal;
+  // At that height, in the direction in which it was lifted.
+  const Vec3<T> mirrored = std::sqrt(1 - least * least) / far * aside + least * geometric_normal;
+  const Vec3<T> half = mirrored - unit_incident;
+  const T size = length(half);
+  if (!(size > 0)) return geometric_normal;
+  const Vec3<T> normal = half / size;
+  return height_by(normal) > 0 ? normal : geometric_normal;
+}
+
 }  // namespace raywalk

@@ -53,8 +53,8 @@ struct PartLight {
 
 /// What a light brings to the middle of a part, whose ray is `ray`. `to_light`: not of unit length; `arriving`: how
 /// much of the light is not held up on its way.
-template <class T>
-[[nodiscard]] PartLight<T> light_on(const SurfaceVertex<T>& at, const Ray<T>& ray,
+template <class T, bool with_maps>
+[[nodiscard]] PartLight<T> light_on(const SurfaceVertex<T, true, with_maps>& at, const Ray<T>& ray,
                                     const typename World<T>::Light& light, const Vec3<T>& to_light,
                                     const Rgb<T>& arriving) {
   const T distance = light.distance(to_light);
@@ -65,7 +65,7 @@ template <class T>
   if (at.bsdf.matt != nullptr) brought.diffuse = radiance * at.bsdf.diffuse_answer(l, cos);
   if (!is_black(at.specular))
     brought.specular =
-        radiance * at.specular * power_of_cosine(dot(at.bsdf.shading_normal, h), dot(h, h), at.surface->shininess);
+        radiance * at.specular * power_of_cosine(dot(at.bsdf.shading_normal, h), dot(h, h), at.values().shininess);
   return brought;
 }
 

@@ -141,6 +141,9 @@ std::vector<std::string> patch_losses(const Scene& scene) {
         losses.push_back(quoted(object.name) + " shows no highlights: radiosity knows matt surfaces only");
       if (material.is_rough_diffuse())
         losses.push_back(quoted(object.name) + " is lit as if it were smooth: radiosity knows Lambert's surfaces only");
+      if (material.has_bent_normals())
+        losses.push_back(quoted(object.name) +
+                         " is lit as if it had no relief: the light of a patch is that of its plane");
     });
   if (scene.sky || !is_black(scene.background))
     losses.emplace_back(
@@ -164,9 +167,16 @@ Patches::Patches(const Scene& scene, const PatchSettings& settings, const Stop& 
     const World<double>::Surface& surface = world.surface(patch.primitive);
     const SurfacePoint<double> at{patch.centre, patch.normal};
     patch.face = static_cast<int>(i);
-    patch.emission = cosines() * surface.emission;
-    patch.reflectance = surface.diffuse;
-    texture(patch.reflectance, surface, primitives, patch.primitive, at, patch.part);
+    SurfaceValues<double> its = surface;
+    if (const SurfaceMaps<double>* maps = world.maps(surface)) {
+      auto mixture = maps->at(primitives.uv_at(patch.primitive, at, patch.part));
+      texture(mixture.first.diffuse, surface, primitives, patch.primitive, at, patch.part);
+      its = maps->mixed(mixture);
+    } else {
+      texture(its.diffuse, surface, primitives, patch.primitive, at, patch.part);
+    }
+    patch.emission = cosines() * its.emission;
+    patch.reflectance = its.diffuse;
     Polygon<double> polygon;
     polygon.outline.assign(patch.corner.begin(), patch.corner.begin() + patch.corners);
     pieces.add(Shape<double>(std::move(polygon)));

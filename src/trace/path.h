@@ -105,8 +105,9 @@ class PathTracer {
   };
   using Arrival = std::conditional_t<media, ArrivalInMedium, Nearest>;
   /// A vertex of the path: the hit, prepared with its BSDF.
-  static constexpr bool with_facets = Policy::effects.microfacets;
-  using Vertex = std::conditional_t<media, MediumVertex<T, with_facets>, SurfaceVertex<T, with_facets>>;
+  static constexpr bool with_facets = Policy::effects.microfacets, with_maps = Policy::effects.maps;
+  using Vertex =
+      std::conditional_t<media, MediumVertex<T, with_facets, with_maps>, SurfaceVertex<T, with_facets, with_maps>>;
   using Free = std::conditional_t<media, FreePath<T>, Nothing>;
   /// A light sample as seen from a vertex.
   struct LightSample;

@@ -126,7 +126,10 @@ std::optional<Ending> PathTracer<Policy>::aim_at_emitter(LightSample& light_samp
   light_sample.direction_pdf = answers.pdf;
   light_sample.light_pdf = drawn->pdf;
   if (settings_.strategy == PathStrategy::both) light_sample.weight = power_heuristic(drawn->pdf, answers.pdf);
-  const Rgb<T>& emission = world_.surface(drawn->primitive).emission;
+  [[maybe_unused]] Rgb<T> mapped;
+  if constexpr (Policy::effects.maps)
+    mapped = world_.emission_at(light_sample.target, at.position, drawn->to_light, at.time);
+  const Rgb<T>& emission = Policy::effects.maps ? mapped : world_.surface(drawn->primitive).emission;
   light_sample.contribution = (light_sample.weight / drawn->pdf) * at.throughput * answers.value * emission;
   return std::nullopt;
 }

@@ -74,7 +74,7 @@ bool PathTracer<Policy>::scatters_before(PathRay& ray, Free& free, const Nearest
 /// Where the path scatters, ready to go on.
 template <class Policy>
 auto PathTracer<Policy>::scatter(const PathRay& ray, const Free& free) const -> Vertex {
-  SurfaceVertex<T, with_facets> at{};
+  SurfaceVertex<T, with_facets, with_maps> at{};
   at.position = ray.ray.origin + free.length * ray.ray.direction;
   at.time = ray.ray.time;
   at.number = ray.number;

@@ -153,7 +153,7 @@ auto PathTracer<Policy>::prepare(const PathRay& ray, const Arrival& arrival, [[m
 template <class Policy>
 void PathTracer<Policy>::add_emission(Rgb<T>& shade, const PathRay& ray, const Vertex& at) {
   if (is_inside(at)) return;
-  const Rgb<T>& emission = at.surface->emission;
+  const Rgb<T>& emission = at.values().emission;
   if (is_black(emission) && !Observer::watches) return;
   T light_pdf = 0;
   if (ray.pdf > 0 && !is_black(emission) && settings_.strategy != PathStrategy::directions)

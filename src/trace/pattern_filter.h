@@ -74,8 +74,8 @@ class FollowedDifferential {
     return filtered_pattern(world_, ray_, hit, point, time);
   }
   /// On from the hit. `refraction`: only used by what is transmitted.
-  template <bool with_facets>
-  void leave(const Bsdf<T, with_facets>& at, const Refraction<T>& refraction, const BsdfSample<T>& choice) {
+  template <class AnyBsdf>
+  void leave(const AnyBsdf& at, const Refraction<T>& refraction, const BsdfSample<T>& choice) {
     if (!active_) return;
     if (choice.lobe == Lobe::mirror) ray_ = reflect(ray_, at.incident, at.shading_normal, normal_);
     if (choice.lobe == Lobe::transparent && !refraction.total())
@@ -104,9 +104,8 @@ struct NoDifferential {
   [[nodiscard]] Rgb<T> pattern(const Hit<T>& /*hit*/, const SurfacePoint<T>& /*point*/, T /*time*/) const {
     return Rgb<T>(1);
   }
-  template <bool with_facets>
-  void leave(const Bsdf<T, with_facets>& /*at*/, const Refraction<T>& /*refraction*/, const BsdfSample<T>& /*choice*/) {
-  }
+  template <class AnyBsdf>
+  void leave(const AnyBsdf& /*at*/, const Refraction<T>& /*refraction*/, const BsdfSample<T>& /*choice*/) {}
 };
 
 }  // namespace raywalk

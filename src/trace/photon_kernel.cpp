@@ -58,9 +58,12 @@ Statistics PhotonKernel<T>::run(const RayGenerator<T>& camera, const PhotonRange
   } else if (world_.numerics == Numerics::naive) {
     return run_with.template operator()<Policy<T, Watcher, all_hit_effects, Numerics::naive>>();
   }
-  if constexpr (!Watcher::watches && !few_kernels)
-    if (!world_.filters() && world_.microsurfaces.empty())
-      return run_with.template operator()<Policy<T, Watcher, no_filtering_nor_facets>>();
+  if constexpr (!Watcher::watches && !few_kernels) {
+    if (world_.surface_maps.empty())
+      return world_.filters() || !world_.microsurfaces.empty()
+                 ? run_with.template operator()<Policy<T, Watcher, no_maps>>()
+                 : run_with.template operator()<Policy<T, Watcher, no_filtering_nor_facets>>();
+  }
   return run_with.template operator()<Policy<T, Watcher>>();
 }
 

@@ -346,8 +346,8 @@ EmittedPhoton<T> PhotonLights<T>::from_emitter(const T (&u)[draws]) const {
     photon.origin = Vec3<T>(point);
     photon.direction = Vec3<T>(way.direction);
     photon.departure = departure;
-    photon.power =
-        static_cast<T>(cos > 0 ? 2 * cos / (pdf * way.pdf) : 0.0) * world_.surface(departure.primitive).emission;
+    photon.power = static_cast<T>(cos > 0 ? 2 * cos / (pdf * way.pdf) : 0.0) *
+                   world_.emission_at(departure, Vec3<T>(point + outward), -Vec3<T>(outward), T(0));
   };
   if (flat_) {
     const EmitterPoint<T> at = *sample_emitter(u[1], u[3]);

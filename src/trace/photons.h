@@ -91,8 +91,8 @@ class PhotonTracer {
  private:
   using Medium = typename World<T>::Medium;
   using Light = typename World<T>::Light;
-  using Vertex = SurfaceVertex<T, Policy::effects.microfacets>;
-  using SurfaceBsdf = Bsdf<T, Policy::effects.microfacets>;
+  using Vertex = SurfaceVertex<T, Policy::effects.microfacets, Policy::effects.maps>;
+  using SurfaceBsdf = decltype(Vertex::bsdf);
   using Nearest = std::optional<Hit<T>>;
   using BsdfSample = raywalk::BsdfSample<T>;
   /// A photon on its way.

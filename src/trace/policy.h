@@ -35,15 +35,22 @@ struct HitEffects {
   bool sky = true;          ///< what rays bring back that leave the scene depends on their direction
   bool filtering = true;    ///< rays carry differentials, by which patterns are filtered
   bool microfacets = true;  ///< mirrors of metal, and of small mirrors
+  bool maps = true;         ///< surfaces are different from point to point, other than by a pattern of ka and kd
   friend bool operator==(const HitEffects&, const HitEffects&) = default;
 };
 inline constexpr HitEffects all_hit_effects{};
 inline constexpr HitEffects no_occlusion{.occlusion = false};
-inline constexpr HitEffects no_filtering{.filtering = false};
-inline constexpr HitEffects no_filtering_nor_facets{.filtering = false, .microfacets = false};
+inline constexpr HitEffects no_maps{.maps = false};
+inline constexpr HitEffects no_filtering{.filtering = false, .maps = false};
+inline constexpr HitEffects no_filtering_nor_facets{.filtering = false, .microfacets = false, .maps = false};
 /// With sharp rays and sharp shadows alone: what most scenes have that filter; and without mirrors and glass.
-inline constexpr HitEffects plain_filtering{
-    .penumbra = false, .lobes = false, .nesting = false, .scattering = false, .sky = false, .microfacets = false};
+inline constexpr HitEffects plain_filtering{.penumbra = false,
+                                            .lobes = false,
+                                            .nesting = false,
+                                            .scattering = false,
+                                            .sky = false,
+                                            .microfacets = false,
+                                            .maps = false};
 inline constexpr HitEffects matt_filtering = [] {
   HitEffects set = plain_filtering;
   set.reflection = set.refraction = false;
@@ -80,7 +87,8 @@ inline constexpr std::size_t few_lights = 64;
           effects.used(Effect::scattering),
           effects.used(Effect::sky),
           effects.used(Effect::filtering),
-          effects.used(Effect::microfacets)};
+          effects.used(Effect::microfacets),
+          effects.used(Effect::maps)};
 }
 
 /// Everything about the tracer that is fixed when it is compiled.

@@ -188,10 +188,10 @@ auto RadiosityTracer<Policy>::look_up_light(const EyeRay& ray, const Nearest& ne
   const Patches::Place place =
       patches_.place_of(nearest->primitive, Vec3d(at.position), Vec3d(at.bsdf.geometric_normal));
   const Rgbd irradiance = irradiance_.at(place);
-  const Rgb<T> shade = at.surface->emission + at.bsdf.diffuse * Rgb<T>(irradiance / patches_.cosines());
+  const Rgb<T> shade = at.values().emission + at.bsdf.diffuse * Rgb<T>(irradiance / patches_.cosines());
   note(Line::look_up_light, [&] {
     return LightLookedUp{ray.number, place.patch,           settings_.patches.flat,
-                         irradiance, Rgbd(at.bsdf.diffuse), Rgbd(at.surface->emission),
+                         irradiance, Rgbd(at.bsdf.diffuse), Rgbd(at.values().emission),
                          Rgbd(shade)};
   });
   return shade;

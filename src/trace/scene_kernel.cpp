@@ -17,9 +17,11 @@ Statistics run_procedure(const World<T>& world, const RayGenerator<T>& camera, c
     procedure.main_algorithm(block, put);
     return procedure.statistics();
   };
-  [[maybe_unused]] constexpr HitEffects clear{.scattering = false, .filtering = false, .microfacets = false},
-      no_sky{.scattering = false, .sky = false, .filtering = false, .microfacets = false},
-      neither{.nesting = false, .scattering = false, .sky = false, .filtering = false, .microfacets = false};
+  [[maybe_unused]] constexpr HitEffects clear{
+      .scattering = false, .filtering = false, .microfacets = false, .maps = false},
+      no_sky{.scattering = false, .sky = false, .filtering = false, .microfacets = false, .maps = false},
+      neither{
+          .nesting = false, .scattering = false, .sky = false, .filtering = false, .microfacets = false, .maps = false};
   if constexpr (few_kernels && !Watcher::watches) {
     if (world.numerics == Numerics::naive) {
       ForgetfulObserver forgetful;
@@ -29,6 +31,7 @@ Statistics run_procedure(const World<T>& world, const RayGenerator<T>& camera, c
     return run_with.template operator()<Policy<T, Watcher, all_hit_effects, Numerics::naive>>();
   }
   if constexpr (!Watcher::watches) {
+    if (!world.surface_maps.empty()) return run_with.template operator()<Policy<T, Watcher>>();
     const bool filters = world.filters(), scatters = world.effects.used(Effect::scattering);
     const bool facets = !world.microsurfaces.empty();
     if (!filters && !facets && !scatters && !world.sky && world.bodies.empty())
@@ -38,6 +41,7 @@ Statistics run_procedure(const World<T>& world, const RayGenerator<T>& camera, c
       if (!filters && scatters) return run_with.template operator()<Policy<T, Watcher, no_filtering_nor_facets>>();
       if (!filters && !world.sky) return run_with.template operator()<Policy<T, Watcher, no_sky>>();
       if (!filters) return run_with.template operator()<Policy<T, Watcher, clear>>();
+      return run_with.template operator()<Policy<T, Watcher, no_maps>>();
     }
   }
   return run_with.template operator()<Policy<T, Watcher>>();

@@ -31,9 +31,16 @@ namespace detail {
 
 }  // namespace detail
 
-/// A vertex of a path from the eye or of a photon's way from a light. `with_facets`: see Bsdf.
-template <class T, bool with_facets = true>
-struct SurfaceVertex {
+/// A surface's own numbers at a vertex, where maps make them others.
+template <class T>
+struct MappedVertex {
+  std::optional<MappedValues<T>> mapped;  ///< with its pattern in ka and kd
+};
+struct UnmappedVertex {};
+
+/// A vertex of a path from the eye or of a photon's way from a light. `with_facets`, `with_maps`: see Bsdf.
+template <class T, bool with_facets = true, bool with_maps = true>
+struct SurfaceVertex : std::conditional_t<with_maps, MappedVertex<T>, UnmappedVertex> {
   using Surface = typename World<T>::Surface;
   using Medium = typename World<T>::Medium;
   Departure departure;  ///< of the rays spawned here
@@ -49,12 +56,19 @@ struct SurfaceVertex {
   Rgb<T> throughput;         ///< the factor with which light that leaves here against the ray contributes to the pixel
   Rgb<T> specular;           ///< ks, for the lights' highlights
   Refraction<T> refraction;  ///< only set where the surface transmits
-  Bsdf<T, with_facets> bsdf;
+  Bsdf<T, with_facets, with_facets && with_maps> bsdf;
+
+  /// What the surface is like here.
+  [[nodiscard]] const SurfaceValues<T>& values() const {
+    if constexpr (with_maps)
+      if (this->mapped) return *this->mapped;
+    return *surface;
+  }
 };
 
 /// Of a ray that goes on beyond the surface; of rough glass at the facet that turns it there, if one does.
-template <class T, bool with_facets>
-[[nodiscard]] std::optional<SnellNumbers> snell_numbers(const SurfaceVertex<T, with_facets>& at,
+template <class T, bool with_facets, bool with_maps>
+[[nodiscard]] std::optional<SnellNumbers> snell_numbers(const SurfaceVertex<T, with_facets, with_maps>& at,
                                                         const Vec3<T>& direction) {
   if constexpr (with_facets)
     if (at.bsdf.glass != nullptr) return snell_at_facet(*at.bsdf.glass, at.refraction, at.bsdf.incident, direction);
@@ -74,19 +88,47 @@ template <class T>
   if (surface.texture) colour *= surface.texture->at(primitives.uv_at(primitive, point, part, time));
 }
 
+/// A clear refracted ray whose bent normal would send it back out goes as the surface itself bends it.
+template <class T, bool with_facets, bool with_maps>
+void keep_below(Bsdf<T, with_facets, with_maps>& bsdf, const Refraction<T>& at) {
+  if (is_black(bsdf.transparent) || dot(bsdf.transparent_axis, bsdf.geometric_normal) < 0) return;
+  const auto own = refraction_at(bsdf.incident, bsdf.geometric_normal, at.n1, at.n2);
+  bsdf.transparent_axis = renormalize(refract(bsdf.incident, bsdf.geometric_normal, own).value_or(bsdf.incident));
+}
+
+/// What a vertex of a mapped surface has of metal, of small facets and of roughness.
+template <class T>
+void take_facets(SurfaceVertex<T>& at, bool draws, const SurfaceMaps<T>& maps) {
+  auto& bsdf = at.bsdf;
+  bsdf.matt = maps.matt(*at.mapped);
+  const MappedFacets<T> here = maps.facets(*at.mapped, at.surface->transmits ? &at.refraction : nullptr);
+  if (here.glass != nullptr && draws) {
+    bsdf.take_glass(*here.glass, at.refraction.n1, at.refraction.cos_in,
+                    at.mapped->reflection + at.mapped->transmission);
+    if (here.rougher_glass != nullptr) bsdf.mix_glass(*here.rougher_glass, here.share, at.refraction.cos_in);
+  }
+  if (here.mirror == nullptr || is_black(bsdf.mirror)) return;
+  if (here.mirror->facets && draws) {
+    bsdf.facets = here.mirror;
+    bsdf.rougher = here.rougher;
+    bsdf.rougher_share = here.share;
+  } else {
+    bsdf.mirror *= here.mirror->reflectance(std::clamp(-dot(bsdf.incident, bsdf.shading_normal), T(0), T(1)));
+  }
+}
+
 /// `AnyRay`: a ray with its number, length, throughput and medium. `nested`: the media where bodies nest.
 /// `differential`: the ray's, which is transferred to the hit (trace/pattern_filter.h).
 template <class Policy, class T, class AnyRay, class Nested, class Differential>
-SurfaceVertex<T, Policy::effects.microfacets> prepare_vertex(const World<T>& world, [[maybe_unused]] Nested& nested,
-                                                             const AnyRay& ray, const Hit<T>& hit,
-                                                             [[maybe_unused]] Statistics& statistics,
-                                                             Differential& differential) {
+auto prepare_vertex(const World<T>& world, [[maybe_unused]] Nested& nested, const AnyRay& ray, const Hit<T>& hit,
+                    [[maybe_unused]] Statistics& statistics, Differential& differential)
+    -> SurfaceVertex<T, Policy::effects.microfacets, Policy::effects.maps> {
   using Surface = typename World<T>::Surface;
   using Medium = typename World<T>::Medium;
   const Primitives<T>& primitives = world.accelerator.primitives();
   const Surface& surface = world.surface(hit.primitive);
   const SurfacePoint<T> point = primitives.surface_at(hit.primitive, ray.ray, Intersection<T>{hit.t, hit.part});
-  SurfaceVertex<T, Policy::effects.microfacets> at;
+  SurfaceVertex<T, Policy::effects.microfacets, Policy::effects.maps> at;
   at.departure = {hit.primitive, hit.part};
   at.position = point.position;
   at.outward_normal = point.normal;
@@ -114,48 +156,77 @@ SurfaceVertex<T, Policy::effects.microfacets> prepare_vertex(const World<T>& wor
   if (const auto smooth = primitives.smooth_normal(hit.primitive, point, at.time))
     bsdf.shading_normal =
         consistent_shading_normal(ray.ray.direction, bsdf.geometric_normal, at.entering ? *smooth : -*smooth);
-  bsdf.diffuse = surface.diffuse;
-  differential.arrive(ray.ray.direction, hit, point, at.time, bsdf.shading_normal);
-  if (differential.filters(surface))
-    bsdf.diffuse *= differential.pattern(hit, point, at.time);
-  else
-    texture(bsdf.diffuse, surface, primitives, hit.primitive, point, hit.part, at.time);
-  if constexpr (Policy::effects.microfacets) bsdf.matt = world.rough_diffuse(surface);
-  at.specular = surface.specular;
-  if (!is_black(surface.specular)) {
-    bsdf.shininess = surface.shininess;
-    bsdf.highlight = highlight_scale(surface.shininess) * surface.specular;
+  [[maybe_unused]] const SurfaceMaps<T>* maps = nullptr;
+  const SurfaceValues<T>* its = &surface;
+  if constexpr (Policy::effects.maps) {
+    maps = world.maps(surface);
+    if (maps != nullptr && maps->bends()) {
+      const auto smooth = primitives.smooth_normal(hit.primitive, point, at.time);
+      const Vec3<T> bent =
+          maps->bent(primitives, hit.primitive, point, hit.part, at.time, smooth.value_or(point.normal));
+      bsdf.shading_normal =
+          clamped_shading_normal(ray.ray.direction, bsdf.geometric_normal, at.entering ? bent : -bent);
+    }
   }
-  bsdf.mirror = surface.reflection;
+  differential.arrive(ray.ray.direction, hit, point, at.time, bsdf.shading_normal);
+  if constexpr (Policy::effects.maps) {
+    if (maps != nullptr) {
+      auto mixture = maps->at(primitives.uv_at(hit.primitive, point, hit.part, at.time));
+      for (Rgb<T>* colour : {&mixture.first.ambient, &mixture.first.diffuse}) {
+        if (differential.filters(surface))
+          *colour *= differential.pattern(hit, point, at.time);
+        else
+          texture(*colour, surface, primitives, hit.primitive, point, hit.part, at.time);
+      }
+      its = &at.mapped.emplace(maps->mixed(mixture));
+    }
+  }
+  bsdf.diffuse = its->diffuse;
+  if (maps == nullptr) {
+    if (differential.filters(surface))
+      bsdf.diffuse *= differential.pattern(hit, point, at.time);
+    else
+      texture(bsdf.diffuse, surface, primitives, hit.primitive, point, hit.part, at.time);
+  }
+  if constexpr (Policy::effects.microfacets) bsdf.matt = world.rough_diffuse(surface);
+  at.specular = its->specular;
+  if (!is_black(its->specular)) {
+    bsdf.shininess = its->shininess;
+    bsdf.highlight = highlight_scale(its->shininess) * its->specular;
+  }
+  bsdf.mirror = its->reflection;
   if (surface.transmits) {
     T n1 = at.entering ? T(1) : surface.ior, n2 = at.entering ? surface.ior : T(1);
     if constexpr (Policy::effects.nesting) {
       if (surface.nests) n1 = nested.index(through), n2 = nested.index(at.behind);
     }
     at.refraction = refraction_at(ray.ray.direction, bsdf.shading_normal, n1, n2);
-    const Rgb<T> both = surface.reflection + surface.transmission;
+    const Rgb<T> both = its->reflection + its->transmission;
     if (at.refraction.total()) {
       bsdf.mirror = both;
     } else {
-      bsdf.transparent = surface.transmission;
+      bsdf.transparent = its->transmission;
       if (surface.dielectric) {
         const T reflected = at.refraction.fresnel();
         bsdf.transparent = (1 - reflected) * both;
         bsdf.mirror = reflected * both;
       }
       bsdf.transparent_axis = renormalize(*refract(ray.ray.direction, bsdf.shading_normal, at.refraction));
-      bsdf.transparent_width = surface.translucency;
+      bsdf.transparent_width = its->translucency;
     }
     if constexpr (Policy::effects.microfacets) {
-      if (const RoughDielectric<T>* glass = world.rough_dielectric(surface, n1, n2); glass != nullptr && world.draws)
+      if (const RoughDielectric<T>* glass = maps == nullptr ? world.rough_dielectric(surface, n1, n2) : nullptr;
+          glass != nullptr && world.draws)
         bsdf.take_glass(*glass, n1, at.refraction.cos_in, both);
     }
+    if constexpr (Policy::effects.maps)
+      if (maps != nullptr && maps->bends()) keep_below(bsdf, at.refraction);
   }
   if (!is_black(bsdf.mirror)) {
     bsdf.mirror_axis = renormalize(reflect(ray.ray.direction, bsdf.shading_normal));
-    bsdf.mirror_width = surface.gloss;
+    bsdf.mirror_width = its->gloss;
     if constexpr (Policy::effects.microfacets) {
-      if (const Microsurface<T>* own = world.microsurface(surface)) {
+      if (const Microsurface<T>* own = maps == nullptr ? world.microsurface(surface) : nullptr) {
         if (own->facets && world.draws)
           bsdf.facets = own;
         else
@@ -163,6 +234,8 @@ SurfaceVertex<T, Policy::effects.microfacets> prepare_vertex(const World<T>& wor
       }
     }
   }
+  if constexpr (Policy::effects.maps && Policy::effects.microfacets)
+    if (maps != nullptr) take_facets(at, world.draws, *maps);
   bsdf.prepare(at.throughput);
   return at;
 }

@@ -4,6 +4,8 @@
 
 #include "trace/tracer.h"
 
+#include <limits>
+
 namespace raywalk {
 
 template <class Policy>
@@ -96,17 +98,28 @@ bool Tracer<Policy>::draws_facet(const ShadingPoint& at, RayKind kind) const {
 template <class Policy>
 auto Tracer<Policy>::evaluate_facets(const ShadingPoint& at, const TreeRay& ray, const Vec3<T>& to_light)
     -> FacetValue {
+  if constexpr (Policy::effects.maps) {
+    if (at.rougher.share > 0) {
+      ShadingPoint of_one = at;
+      of_one.rougher = {};
+      const FacetValue smoother = evaluate_facets(of_one, ray, to_light);
+      of_one.facets.mirror = at.rougher.mirror, of_one.facets.glass = at.rougher.glass;
+      const FacetValue rougher = evaluate_facets(of_one, ray, to_light);
+      return {smoother.weight, smoother.value + at.rougher.share * (rougher.value - smoother.value),
+              smoother.pdf + at.rougher.share * (rougher.pdf - smoother.pdf)};
+    }
+  }
   const bool before = dot(at.geometric_normal(), to_light) > 0;
   if (const RoughDielectric<T>* glass = at.facets.glass) {
     if (before != (dot(at.shading_normal, to_light) > 0)) return {};
     const auto value =
         glass->evaluate(glass->side_of(at.refraction.n1), at.shading_normal, -ray.ray.direction, to_light);
-    return {Rgb<T>(1), glass->value(at.surface->reflection + at.surface->transmission, value), value.pdf};
+    return {Rgb<T>(1), glass->value(at.values().reflection + at.values().transmission, value), value.pdf};
   }
   if (!before || !at.facets.mirror || !at.facets.mirror->facets) return {};
   const Microsurface<T>& own = *at.facets.mirror;
   const auto value = own.facets->evaluate(at.shading_normal, -ray.ray.direction, to_light);
-  return {at.surface->reflection, own.value(value), value.pdf};
+  return {at.values().reflection, own.value(value), value.pdf};
 }
 
 /// A direction to which one of the small facets sends light, or light that several have. Sets the weight of the ray,
@@ -118,12 +131,21 @@ auto Tracer<Policy>::sample_facet(ShadedPoint& at, const TreeRay& ray, RayKind k
   key.effect = static_cast<std::uint32_t>(Effect::microfacets);
   key.path = ray.branch.path;
   key.dimension = through ? 2 : 0;
-  const Vec2<T> unit = draw_pair<T>(camera_.sampler(), key, camera_.strata());
+  Vec2<T> unit = draw_pair<T>(camera_.sampler(), key, camera_.strata());
   statistics_.drew(Effect::microfacets, 2);
   const Vec3<T>&normal = at.shading_normal, to_eye = -ray.ray.direction;
   const RoughDielectric<T>* glass = at.facets.glass;
+  const Microsurface<T>* mirror = at.facets.mirror;
+  if constexpr (Policy::effects.maps) {
+    const T share = at.rougher.share;
+    const bool rougher = unit.x < share;
+    if (rougher) glass = at.rougher.glass, mirror = at.rougher.mirror;
+    if (share > 0)
+      unit.x = std::clamp(rougher ? unit.x / share : (unit.x - share) / (1 - share), T(0),
+                          1 - std::numeric_limits<T>::epsilon() / 2);
+  }
   const Vec3<T> direction = glass ? glass->sample(glass->side_of(at.refraction.n1), through, normal, to_eye, unit)
-                                  : at.facets.mirror->facets->sample(normal, to_eye, unit);
+                                  : mirror->facets->sample(normal, to_eye, unit);
   const FacetValue value = evaluate_facets(at, ray, direction);
   const bool goes_through = !(dot(at.geometric_normal(), direction) > 0);
   (through ? at.weights->transmission : at.weights->reflection) =

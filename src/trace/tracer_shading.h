@@ -28,9 +28,19 @@ struct Tracer<Policy>::ShadingPoint {
     const RoughDielectric<T>* glass = nullptr;
     const RoughDiffuse<T>* matt = nullptr;
   };
+  /// The same where maps make it lie between two roughnesses: the rougher ones, and their share.
+  struct RougherFacets {
+    const Microsurface<T>* mirror = nullptr;
+    const RoughDielectric<T>* glass = nullptr;
+    T share = 0;  ///< 0: there are none
+  };
   /// The factor of a checker or texture on the surface's colours.
   struct Tint {
     Rgb<T> colour{1};
+  };
+  /// The surface's own numbers, where maps make them others; with its pattern in ka and kd.
+  struct Mapped {
+    std::optional<MappedValues<T>> values;
   };
 
   /// As the surface has it; patterns, media and refraction change it.
@@ -46,10 +56,16 @@ struct Tracer<Policy>::ShadingPoint {
   [[nodiscard]] const Vec3<T>& geometric_normal() const {
     return distinct_geometric_normal ? *distinct_geometric_normal : shading_normal;
   }
-  [[nodiscard]] Rgb<T> ambient() const { return coloured(surface->ambient); }
-  [[nodiscard]] Rgb<T> diffuse() const { return coloured(surface->diffuse); }
-  [[nodiscard]] const Rgb<T>& reflection() const { return weights ? weights->reflection : surface->reflection; }
-  [[nodiscard]] const Rgb<T>& transmission() const { return weights ? weights->transmission : surface->transmission; }
+  /// What the surface is like here, but for its pattern.
+  [[nodiscard]] const SurfaceValues<T>& values() const {
+    if constexpr (Policy::effects.maps)
+      if (mapped.values) return *mapped.values;
+    return *surface;
+  }
+  [[nodiscard]] Rgb<T> ambient() const { return coloured(values().ambient); }
+  [[nodiscard]] Rgb<T> diffuse() const { return coloured(values().diffuse); }
+  [[nodiscard]] const Rgb<T>& reflection() const { return weights ? weights->reflection : values().reflection; }
+  [[nodiscard]] const Rgb<T>& transmission() const { return weights ? weights->transmission : values().transmission; }
 
   Departure departure;  ///< of the rays spawned here
   Vec3<T> position;
@@ -65,6 +81,8 @@ struct Tracer<Policy>::ShadingPoint {
   [[no_unique_address]] Only<Policy::effects.textures, Tint> tint{};
   [[no_unique_address]] Only<Policy::effects.filtering, Neighbours> neighbours{};
   [[no_unique_address]] Only<Policy::effects.microfacets, Facets> facets{};
+  [[no_unique_address]] Only<Policy::effects.maps, RougherFacets> rougher{};
+  [[no_unique_address]] Only<Policy::effects.maps, Mapped> mapped{};
   [[no_unique_address]] Only<Policy::effects.penumbra, RandomPairs> light_pairs{};  ///< sample points on lights, where
                                                                                     ///< drawn
 
@@ -108,6 +126,18 @@ inline auto Tracer<Policy>::prepare(const TreeRay& ray, const Hit<T>& hit) -> Sh
     at.distinct_geometric_normal = geometric_normal;
     at.smoothed = true;
   }
+  [[maybe_unused]] const SurfaceMaps<T>* maps = nullptr;
+  if constexpr (Policy::effects.maps) {
+    maps = world_.maps(surface);
+    if (maps != nullptr && maps->bends()) {
+      const auto smooth = primitives.smooth_normal(hit.primitive, point, ray.ray.time);
+      const Vec3<T> bent =
+          maps->bent(primitives, hit.primitive, point, hit.part, ray.ray.time, smooth.value_or(point.normal));
+      at.shading_normal = clamped_shading_normal(ray.ray.direction, geometric_normal, entering ? bent : -bent);
+      at.distinct_geometric_normal = geometric_normal;
+      at.smoothed = true;
+    }
+  }
   if constexpr (Policy::effects.penumbra) at.light_pairs = RandomPairs(light_key(ray));
   [[maybe_unused]] bool filtered = false;
   if constexpr (Policy::effects.filtering) {
@@ -130,6 +160,17 @@ inline auto Tracer<Policy>::prepare(const TreeRay& ray, const Hit<T>& hit) -> Sh
     if (surface.texture && !filtered)
       at.tint.colour *= surface.texture->at(primitives.uv_at(hit.primitive, point, hit.part, ray.ray.time));
   }
+  if constexpr (Policy::effects.maps) {
+    if (maps != nullptr) {
+      auto mixture = maps->at(primitives.uv_at(hit.primitive, point, hit.part, ray.ray.time));
+      if constexpr (Policy::effects.textures) {
+        mixture.first.ambient *= at.tint.colour;
+        mixture.first.diffuse *= at.tint.colour;
+        at.tint.colour = Rgb<T>(1);
+      }
+      at.mapped.values = maps->mixed(mixture);
+    }
+  }
   if constexpr (Policy::effects.refraction) {
     at.transmittance = transmittance_to_hit(ray.in.medium, surface, entering, hit.t);
     if (surface.transmits) {
@@ -145,7 +186,7 @@ inline auto Tracer<Policy>::prepare(const TreeRay& ray, const Hit<T>& hit) -> Sh
       }
       at.refraction = refraction_at(ray.ray.direction, at.shading_normal, n1, n2);
       if (at.refraction.total() || surface.dielectric) {
-        const Rgb<T> both = surface.reflection + surface.transmission;
+        const Rgb<T> both = at.values().reflection + at.values().transmission;
         const T reflected = at.refraction.fresnel();
         at.weights = {reflected * both, (1 - reflected) * both};
       }
@@ -153,16 +194,28 @@ inline auto Tracer<Policy>::prepare(const TreeRay& ray, const Hit<T>& hit) -> Sh
   }
   if constexpr (Policy::effects.microfacets) {
     at.facets = {world_.microsurface(surface), nullptr, world_.rough_diffuse(surface)};
+    [[maybe_unused]] MappedFacets<T> here;
+    if constexpr (Policy::effects.maps) {
+      if (maps != nullptr) {
+        here = maps->facets(*at.mapped.values, surface.transmits ? &at.refraction : nullptr);
+        at.facets = {here.mirror, nullptr, maps->matt(*at.mapped.values)};
+        at.rougher = {here.rougher, here.rougher_glass, here.share};
+      }
+    }
     if (at.facets.mirror) {
       const T cos = std::clamp(-dot(ray.ray.direction, at.shading_normal), T(0), T(1));
-      at.weights = {at.facets.mirror->reflectance(cos) * surface.reflection, surface.transmission};
+      at.weights = {at.facets.mirror->reflectance(cos) * at.values().reflection, at.values().transmission};
     }
     if (surface.transmits) {
       const Refraction<T>& through = at.refraction;
-      at.facets.glass = world_.rough_dielectric(surface, through.n1, through.n2);
+      at.facets.glass = maps == nullptr ? world_.rough_dielectric(surface, through.n1, through.n2) : here.glass;
       if (at.facets.glass && world_.draws) {
-        const Rgb<T> both = surface.reflection + surface.transmission;
-        const T reflected = at.facets.glass->reflectance(at.facets.glass->side_of(through.n1), through.cos_in);
+        const Rgb<T> both = at.values().reflection + at.values().transmission;
+        const auto side = at.facets.glass->side_of(through.n1);
+        T reflected = at.facets.glass->reflectance(side, through.cos_in);
+        if constexpr (Policy::effects.maps)
+          if (here.rougher_glass)
+            reflected += here.share * (here.rougher_glass->reflectance(side, through.cos_in) - reflected);
         at.weights = {reflected * both, (1 - reflected) * both};
       }
     }

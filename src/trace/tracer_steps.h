@@ -31,10 +31,12 @@ Found describe(int ray_number, Ending ending, const World<T>& world, const AnyRa
   const SurfacePoint<T> point = primitives.surface_at(hit.primitive, ray, Intersection<T>{hit.t, hit.part});
   Explanation explanation;
   static_cast<void>(primitives.intersect(hit.primitive, ray, infinity<T>, explanation));
-  const auto smooth = world.surface(hit.primitive).fixed_normal
-                          ? primitives.given_normal(hit.primitive, point, ray.time)
-                          : primitives.smooth_normal(hit.primitive, point, ray.time);
-  const Vec3<T> normal = smooth.value_or(point.normal);
+  const auto& surface = world.surface(hit.primitive);
+  const auto smooth = surface.fixed_normal ? primitives.given_normal(hit.primitive, point, ray.time)
+                                           : primitives.smooth_normal(hit.primitive, point, ray.time);
+  Vec3<T> normal = smooth.value_or(point.normal);
+  if (const SurfaceMaps<T>* maps = world.maps(surface); maps != nullptr && maps->bends())
+    normal = maps->bent(primitives, hit.primitive, point, hit.part, ray.time, normal);
   const typename World<T>::Piece piece = world.piece(hit.primitive);
   return {ray_number,
           ending,
@@ -220,11 +222,11 @@ inline void Tracer<Policy>::add_light(DirectLighting& direct, const ShadingPoint
   if constexpr (Policy::effects.penumbra) radiance *= light.sample_weight;
   const T n_l = std::max(dot(at.shading_normal, l), T(0));  // below 0 only where lights behind may show
   Rgb<T> specular{0};
-  if (!is_black(at.surface->specular)) {
+  if (!is_black(at.values().specular)) {
     // Blinn's half vector, between the light and the origin of this ray.
     const Vec3<T> h = l - ray.ray.direction;
     specular =
-        radiance * at.surface->specular * power_of_cosine(dot(at.shading_normal, h), dot(h, h), at.surface->shininess);
+        radiance * at.values().specular * power_of_cosine(dot(at.shading_normal, h), dot(h, h), at.values().shininess);
   }
   if constexpr (Policy::effects.microfacets) {
     if (at.facets.mirror || at.facets.glass) {
@@ -270,7 +272,7 @@ auto Tracer<Policy>::form_reflect_ray(int depth, ShadedPoint& at, const TreeRay&
   return form_secondary_ray(Line::form_reflect_ray, depth, at, ray, RayKind::reflect, direction, at.reflection(), [&] {
     if constexpr (Policy::effects.microfacets)
       if (draws_facet(at, RayKind::reflect)) return sample_facet(at, ray, RayKind::reflect);
-    return sample_cone(ray, direction, at.surface->gloss, at.geometric_normal(), Effect::gloss);
+    return sample_cone(ray, direction, at.values().gloss, at.geometric_normal(), Effect::gloss);
   });
 }
 
@@ -302,7 +304,7 @@ auto Tracer<Policy>::form_refract_ray(int depth, ShadedPoint& seen, const TreeRa
                         .value_or(ray.ray.direction));
   return form_secondary_ray(
       Line::form_refract_ray, depth, at, ray, RayKind::refract, direction, at.transmission(), [&] {
-        return sample_cone(ray, direction, at.surface->translucency, -at.geometric_normal(), Effect::translucency);
+        return sample_cone(ray, direction, at.values().translucency, -at.geometric_normal(), Effect::translucency);
       });
 }
 
@@ -374,7 +376,7 @@ auto Tracer<Policy>::differential_after(const ShadingPoint& at, const TreeRay& r
   if constexpr (Policy::effects.microfacets)
     if (draws_facet(at, kind))
       return scattered(sharp, direction, evaluate_facets(at, ray, direction).pdf, camera_.spacing());
-  const T rough = reflects ? at.surface->gloss : at.surface->translucency;
+  const T rough = reflects ? at.values().gloss : at.values().translucency;
   return rough > 0 ? scattered(sharp, direction, uniform_cone_pdf(rough), camera_.spacing()) : sharp;
 }
 
@@ -382,12 +384,12 @@ template <class Policy>
 auto Tracer<Policy>::compute_rtnshade(int depth, const ShadingPoint& at, const DirectLighting& direct,
                                       const Rgb<T>& reflected, const Rgb<T>& refracted) -> Rgb<T> {
   const Rgb<T> ambient = at.ambient() * world_.ambient;
-  Rgb<T> total = ambient + at.surface->emission + direct.sum + reflected + refracted;
+  Rgb<T> total = ambient + at.values().emission + direct.sum + reflected + refracted;
   if (Policy::effects.refraction && at.transmittance) total *= *at.transmittance;
   if constexpr (Observer::watches)
     note(Line::compute_rtnshade, depth, [&] {
       return ShadeComputed{Rgbd(ambient),
-                           Rgbd(at.surface->emission),
+                           Rgbd(at.values().emission),
                            direct.terms,
                            Rgbd(reflected),
                            Rgbd(refracted),

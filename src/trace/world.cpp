@@ -29,13 +29,8 @@ typename World<T>::Surface surface_of(const Material& m, Integrator integrator, 
   const Rgbd extinction = m.absorption + m.scattering;
   const bool absorbs = m.transmits() && !is_black(extinction);
   typename World<T>::Surface surface{{Rgb<T>(extinction), static_cast<T>(m.ior), absorbs},
-                                     Rgb<T>(m.ambient),
-                                     Rgb<T>(m.diffuse),
-                                     Rgb<T>(m.specular),
-                                     Rgb<T>(m.reflection),
-                                     Rgb<T>(m.transmission),
-                                     Rgb<T>(m.emission),
-                                     static_cast<T>(m.shininess),
+                                     {Rgb<T>(m.ambient), Rgb<T>(m.diffuse), Rgb<T>(m.specular), Rgb<T>(m.reflection),
+                                      Rgb<T>(m.transmission), Rgb<T>(m.emission), static_cast<T>(m.shininess)},
                                      m.dielectric,
                                      m.transmits(),
                                      m.shadow == ShadowKind::filtered && m.transmits(),
@@ -52,7 +47,7 @@ typename World<T>::Surface surface_of(const Material& m, Integrator integrator, 
     scatterings.push_back({Rgb<T>(m.scattering), std::clamp(static_cast<T>(m.anisotropy), -most, most)});
     const Rgbd all = m.dielectric ? m.reflection + m.transmission : m.transmission;
     surface.seamless = m.ior == 1 && all == Rgbd(1.0) && (m.dielectric || !m.reflects()) && is_black(m.diffuse) &&
-                       is_black(m.specular) && !m.emits() && m.translucency == 0;
+                       is_black(m.specular) && !m.emits() && m.translucency == 0 && !m.is_mapped();
     // Where nothing is bent, lights are seen from inside.
     if (surface.seamless)
       surface.filters_shadows = true, surface.transmission = Rgb<T>(1), surface.reflection = Rgb<T>(0);
@@ -71,6 +66,27 @@ typename World<T>::Surface surface_of(const Material& m, Integrator integrator, 
   if (!on.reflection || !on.refraction) surface.dielectric = false;
   if (m.checker) surface.checker = {Rgb<T>(m.checker->even), Rgb<T>(m.checker->odd), static_cast<T>(m.checker->size)};
   return surface;
+}
+
+/// With the maps of a material. Makes the surface, which is the first of a mask's materials, the most of both.
+template <class T>
+SurfaceMaps<T> maps_of(const Material& material, Integrator integrator, const EffectSwitches& on,
+                       typename World<T>::Surface& surface) {
+  const SurfaceValues<T> first = surface;
+  SurfaceValues<T> second = first;
+  if (material.mask) {
+    std::vector<typename World<T>::Scattering> none;
+    const auto its = surface_of<T>(second_of(material), integrator, on, none);
+    second = its;
+    const auto most = [](Rgb<T>& one, const Rgb<T>& other) {
+      one = {std::max(one.x, other.x), std::max(one.y, other.y), std::max(one.z, other.z)};
+    };
+    most(surface.ambient, second.ambient), most(surface.diffuse, second.diffuse);
+    most(surface.specular, second.specular), most(surface.reflection, second.reflection);
+    most(surface.emission, second.emission);
+    surface.lit_from_behind = surface.lit_from_behind || its.lit_from_behind;
+  }
+  return {material, first, second, has_extents(integrator), bends_normals(integrator)};
 }
 
 template <class T>
@@ -225,6 +241,8 @@ class Flattener {
       world_.surfaces.push_back(surface_of<T>(*material, integrator_, switches_, world_.scatterings));
       if (world_.effects.used(Effect::filtering)) world_.pattern_filters.push_back(filter_of(*material));
       if (world_.effects.used(Effect::microfacets)) world_.microsurfaces.emplace_back(*material);
+      if (world_.effects.used(Effect::maps))
+        world_.surface_maps.push_back(maps_of<T>(*material, integrator_, switches_, world_.surfaces.back()));
     }
     return entry->second;
   }
@@ -269,13 +287,18 @@ void prepare_rough_surfaces(World<T>& world) {
     world.has_rough_diffuse = world.has_rough_diffuse || each.matt.has_value();
   for (std::size_t i = 0; i < world.microsurfaces.size(); ++i) {
     const auto& its = world.surfaces[i];
+    const SurfaceMaps<T>* maps = world.maps(its);
     const T alpha = world.microsurfaces[i].glass;
-    if (!(alpha > 0) || !its.transmits || !its.dielectric) continue;
+    if ((!(alpha > 0) && maps == nullptr) || !its.transmits || !its.dielectric) continue;
     std::vector<T> others{T(1)};
     for (const auto& other : world.surfaces)
       if (its.nests && other.transmits) others.push_back(other.ior);
     std::sort(others.begin(), others.end());
     others.erase(std::unique(others.begin(), others.end()), others.end());
+    if (maps != nullptr) {
+      world.surface_maps[i].prepare_glass(its.ior, others);
+      continue;
+    }
     world.rough_dielectrics.resize(world.surfaces.size());
     for (const T other : others)
       if (RoughDielectric<T>::bends(its.ior, other))

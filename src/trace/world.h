@@ -8,6 +8,7 @@
 #include "trace/microfacets.h"
 #include "trace/rough_dielectric.h"
 #include "trace/sky_light.h"
+#include "trace/surface_maps.h"
 #include "trace/texture.h"
 #include "trace/texture_pyramid.h"
 
@@ -78,10 +79,8 @@ struct World {
     [[nodiscard]] bool scatters() const { return scattering >= 0; }
   };
 
-  /// A material in T, and the medium behind the surface.
-  struct Surface : Medium {
-    Rgb<T> ambient, diffuse, specular, reflection, transmission, emission;
-    T shininess;
+  /// A material in T, and the medium behind the surface. Of a mask's two materials, the most of both.
+  struct Surface : Medium, SurfaceValues<T> {
     bool dielectric, transmits, filters_shadows;
     bool fixed_normal;     ///< the shading normal does not turn to face the ray
     bool lit_from_behind;  ///< highlights of lights behind it show
@@ -91,8 +90,6 @@ struct World {
     bool seamless = false;  ///< scatters inside, and is itself neither seen nor felt where the indices are equal
     double priority = 0;    ///< where bodies overlap, the highest wins
     Rgb<T> filter{1};       ///< of shadow rays, at each crossing
-    /// 1 - cos of the half angle of the lobes about the mirrored and the refracted direction; 0: sharp.
-    T gloss = 0, translucency = 0;
   };
 
   /// A light in T, with the answers of its kind (scene/light.h) that every ray needs.
@@ -189,7 +186,8 @@ struct World {
   bool has_rough_diffuse = false;              ///< whether one of them is matt
   /// The same: of rough glass, between its index and each that may be on the other side. Empty where there is none.
   std::vector<std::vector<std::shared_ptr<const RoughDielectric<T>>>> rough_dielectrics;
-  Accelerator<T> accelerator;  ///< constructed last: building it fills the lists above
+  std::vector<SurfaceMaps<T>> surface_maps;  ///< by surface; empty where nothing is mapped
+  Accelerator<T> accelerator;                ///< constructed last: building it fills the lists above
   std::optional<Fault> fault;
   Numerics numerics;
   bool occludes;  ///< shadow rays are traced
@@ -211,6 +209,22 @@ struct World {
   /// Whether rays need differentials.
   [[nodiscard]] bool filters() const { return !pattern_filters.empty(); }
   [[nodiscard]] bool filters(const Surface& its) const { return filters() && pattern_filter(its).any(); }
+  /// Of one of the surfaces; null where it is the same all over.
+  [[nodiscard]] const SurfaceMaps<T>* maps(const Surface& its) const {
+    if (surface_maps.empty()) return nullptr;
+    const SurfaceMaps<T>& found = surface_maps[static_cast<std::size_t>(&its - surfaces.data())];
+    return found.any() ? &found : nullptr;
+  }
+  /// What a surface emits at the point of its part that `to_point` leads to.
+  [[nodiscard]] Rgb<T> emission_at(const Departure& of, const Vec3<T>& from, const Vec3<T>& to_point, T time) const {
+    const Surface& its = surface(of.primitive);
+    const SurfaceMaps<T>* own = maps(its);
+    if (own == nullptr || !own->maps_emission()) return its.emission;
+    const Primitives<T>& primitives = accelerator.primitives();
+    const Ray<T> there{from, to_point, {}, time};
+    const SurfacePoint<T> point = primitives.surface_at(of.primitive, there, Intersection<T>{1, of.part});
+    return own->mixed(own->at(primitives.uv_at(of.primitive, point, of.part, time))).emission;
+  }
   /// Of one of the surfaces; null where its mirror is neither of metal nor rough.
   [[nodiscard]] const Microsurface<T>* microsurface(const Surface& its) const {
     if (microsurfaces.empty()) return nullptr;

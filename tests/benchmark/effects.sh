@@ -11,7 +11,7 @@ shift || true
 [ $# -gt 0 ] || set -- "$source_dir"/scenes/{appel,classic,mirrors,glass,gloss,penumbra,hard/facing_mirrors,hard/nested_glass}.toml
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-effects=(shadows reflection refraction gloss translucency penumbra depth_of_field motion_blur antialiasing textures sky filtering microfacets)
+effects=(shadows reflection refraction gloss translucency penumbra depth_of_field motion_blur antialiasing textures sky filtering microfacets maps)
 cmake --build "$build" --target benchmark_hooks "${effects[@]/#/benchmark_without_}" >"$scratch/build" ||
   { cat "$scratch/build" >&2; exit 1; }
 

@@ -39,7 +39,7 @@ benchmark_replace(hooks_removed trace/tracer.h
   "if constexpr (Observer::watches) observer_.record(Event{line, depth, make()})"
   "static_cast<void>(line), static_cast<void>(depth), static_cast<void>(make)")
 
-foreach(effect shadows reflection refraction penumbra textures sky filtering microfacets)
+foreach(effect shadows reflection refraction penumbra textures sky filtering microfacets maps)
   set(also "")
   if(effect STREQUAL "refraction")
     set(also " = set.nesting")
@@ -57,7 +57,7 @@ benchmark_replace(without_motion_blur trace/ray_generator.cpp "if (moves_)" "if 
 benchmark_replace(without_motion_blur accel/primitives.h "return may ?" "return may && false ?")
 
 set(removed hooks_removed)
-foreach(effect shadows reflection refraction gloss translucency penumbra depth_of_field motion_blur antialiasing textures sky filtering microfacets)
+foreach(effect shadows reflection refraction gloss translucency penumbra depth_of_field motion_blur antialiasing textures sky filtering microfacets maps)
   list(APPEND removed without_${effect})
 endforeach()
 foreach(name IN LISTS removed)

@@ -167,9 +167,9 @@ TEST_CASE("what a property means is said where it stands") {
 TEST_CASE("every key of a scene that has a field has a name in the window") {
   // Those that only the scene's file gives.
   const std::set<std::string> without{
-      "name",     "type",      "title",   "description", "transform", "motion",     "file",  "holes",  "group",
-      "vertices", "triangles", "normals", "uv",          "camera",    "screen",     "image", "limits", "render",
-      "light",    "object",    "width",   "height",      "encoding",  "translated", "ink"};
+      "name",      "type",    "title",    "description", "transform", "motion", "file",   "holes",  "group", "vertices",
+      "triangles", "normals", "uv",       "camera",      "screen",    "image",  "limits", "render", "light", "object",
+      "width",     "height",  "encoding", "translated",  "ink",       "map",    "of",     "second"};
   for (const KeyTable& table : key_tables()) {
     if (table.name == "render" || table.name == "transform" || table.heading.starts_with("[[ink]]")) continue;
     for (const KeyEntry& key : table.keys) {

@@ -201,6 +201,26 @@ Material random_material(Random& random) {
   if (random.chance(0.2)) material.checker = Checker{random_colour(random), random_colour(random), random.positive()};
   if (material.checker && random.chance(0.5)) material.checker->filter = CheckerFilter::closed;
   if (random.chance(0.2)) material.priority = 6 * random.unit() - 3;
+  const auto map_image = [&] { return MapImage{random_text(random), random.positive(), random.positive()}; };
+  const auto channel = [&] { return values_of<MapChannel>[random.below(3)]; };
+  if (random.chance(0.2)) {
+    const auto of = values_of<MappedParameter>[random.below(values_of<MappedParameter>.size())];
+    material.maps.push_back({map_image(), of, channel()});
+    if (random.chance(0.3) && of != MappedParameter::emission)
+      material.maps.push_back({map_image(), MappedParameter::emission, channel()});
+  }
+  if (random.chance(0.1)) material.normal_map = NormalMap{map_image(), random.positive()};
+  if (random.chance(0.1)) material.bump_map = BumpMap{map_image(), 2 * random.unit() - 1, channel()};
+  if (random.chance(0.2)) {
+    Mask& mask = material.mask.emplace(Mask{map_image(), {}, channel(), {}});
+    if (random.chance(0.3)) mask.file.clear(), mask.squares = random.positive();
+    maybe(mask.second.diffuse);
+    maybe(mask.second.specular);
+    if (random.chance(0.3)) mask.second.shininess = 100 * random.unit();
+    if (random.chance(0.3)) mask.second.maps.push_back({map_image(), MappedParameter::diffuse, channel()});
+  }
+  // Filtered shadows go with neither.
+  if (!material.maps.empty() || material.mask) material.shadow = ShadowKind::opaque;
   return material;
 }
 

@@ -67,9 +67,11 @@ Decorated decorate(const std::string& text, Random& random) {
   return result;
 }
 
-/// Every "path" of a scene's tables and keys, those of lights and objects under their name.
+/// Every "path" of a scene's tables and keys, those of lights and objects under their name; but for maps, which have
+/// none.
 void collect_paths(const detail::Value& value, const std::string& table, const std::string& path,
                    std::set<std::pair<std::string, std::string>>& paths) {
+  if (value.kind == detail::Value::Kind::tables && !value.children.empty() && !value.children[0].find("name")) return;
   paths.insert({table, path});
   for (const detail::Value& child : value.children) {
     if (value.kind == detail::Value::Kind::tables) {

@@ -82,6 +82,14 @@ name = "plane"
 type = "plane"
 point = [0, 0]
 normal = [0, 0, 1]
+[object.material]
+emission = 1
+normal_map = { file = "normals.png" }
+bump_map = { file = "heights.png" }
+mask = { file = "mask.png", second = { emission = 1, map = [{ of = "diffuse", file = "wood.png" }] } }
+[[object.material.map]]
+of = "emission"
+file = "wood.png"
 [[object]]
 name = "polygon"
 type = "polygon"
@@ -311,6 +319,8 @@ Changer change(schema::SceneFile& file, int wanted, Changer::To to) {
   Changer changer(wanted, to);
   schema::describe(changer, file);
   if (scene.camera.screen.width) scene.camera.fov.reset();  // one of them says how wide the view is
+  for (Object& object : scene.objects)
+    if (auto& mask = object.material.mask; mask && mask->squares) mask->file.clear();  // an image or a checker
   for (Object& object : scene.objects)
     if (auto* instance = std::get_if<Instance>(&object.shape)) {
       if (instance->group == tree) instance->group = scene.groups.front().name;

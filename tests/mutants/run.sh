@@ -57,6 +57,8 @@ verdict() {
   [[ $2 == matt || $2 == glass ]] && libraries=("${catch2[@]}")
   [[ $2 == matt ]] && program=("-I$root/tests" "$root/tests/trace/rough_diffuse_test.cpp" "$4/src/trace/microfacets.cpp" "$4/src/math/sampler.cpp")
   [[ $2 == glass ]] && program=("-I$root/tests" "$root/tests/trace/rough_dielectric_test.cpp" "$4"/src/trace/{microfacets,rough_dielectric}.cpp "$4/src/math/sampler.cpp")
+  [[ $2 == maps ]] && program=("-I$root/tests" "$root/tests/trace/surface_maps_test.cpp" "$4"/src/trace/{surface_maps,microfacets,rough_dielectric}.cpp "$4"/src/{scene/maps,math/sampler}.cpp) \
+    libraries=("${catch2[@]}")
   [[ $2 == beams ]] && program=("-I$root/tests" -DRAYWALK_GMP "$root/tests/trace/beam_cut_test.cpp" "$4/src/trace/unfolded_plan.cpp") \
     libraries=("${catch2[@]}" -lgmpxx -lgmp)
   [[ $2 == cones ]] && program=("-I$root/tests" "$root/tests/trace/"{ray_cone,pencil}_test.cpp "$4/src/trace/ray_cone.cpp") \

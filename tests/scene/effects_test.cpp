@@ -10,11 +10,11 @@ using namespace raywalk;
 
 namespace {
 
-constexpr Effect all_effects[] = {Effect::shadows,        Effect::reflection,   Effect::refraction,
-                                  Effect::gloss,          Effect::translucency, Effect::penumbra,
-                                  Effect::depth_of_field, Effect::motion_blur,  Effect::antialiasing,
-                                  Effect::indirect_light, Effect::textures,     Effect::sky,
-                                  Effect::scattering,     Effect::filtering,    Effect::microfacets};
+constexpr Effect all_effects[] = {
+    Effect::shadows,      Effect::reflection,     Effect::refraction,     Effect::gloss,
+    Effect::translucency, Effect::penumbra,       Effect::depth_of_field, Effect::motion_blur,
+    Effect::antialiasing, Effect::indirect_light, Effect::textures,       Effect::sky,
+    Effect::scattering,   Effect::filtering,      Effect::microfacets,    Effect::maps};
 
 Scene scene_of(const Material& material) {
   Scene scene;
@@ -231,4 +231,32 @@ TEST_CASE("light is scattered only in what encloses something and can be left") 
   CHECK(why_no_walk_inside(ball).empty());
   ball.material.absorption = Rgbd(1e-9);
   CHECK(why_no_walk_inside(ball).find("turn about 1e+07 times") != std::string::npos);
+}
+
+TEST_CASE("maps and masks call for an effect, reliefs where single normals are shaded") {
+  Material material;
+  CHECK(effects_of(scene_of(material))[Effect::maps].why == "none: every surface is alike all over");
+  material.bump_map = BumpMap{{"b.png"}, 0.1};
+  CHECK(effects_of(scene_of(material))[Effect::maps].why == "Ball has a relief of normals");
+  Scene scene = scene_of(material);
+  scene.render.integrator = Integrator::radiosity;
+  CHECK(effects_of(scene)[Effect::maps].why == "none: radiosity takes reliefs as flat");
+  scene.render.integrator = Integrator::cones;
+  CHECK(effects_of(scene)[Effect::maps].why == "none: cones takes reliefs as flat");
+  for (const Integrator integrator : {Integrator::cast, Integrator::whitted, Integrator::path, Integrator::photons}) {
+    scene.render.integrator = integrator;
+    CHECK(effects_of(scene).used(Effect::maps));
+  }
+  material = {};
+  material.mask = Mask{{"m.png"}};
+  CHECK(effects_of(scene_of(material))[Effect::maps].why == "Ball is another material from point to point");
+  CHECK_FALSE(effects_of(scene_of(material)).used(Effect::reflection));
+  // What the second material does, the surface does somewhere.
+  material.mask->second.reflection = Rgbd(0.5);
+  material.mask->second.roughness = 0.3;
+  CHECK(effects_of(scene_of(material)).used(Effect::reflection));
+  CHECK(effects_of(scene_of(material)).used(Effect::microfacets));
+  material.mask->second = {};
+  material.mask->second.emission = Rgbd(1.0);
+  CHECK(material.emits());
 }

@@ -54,3 +54,16 @@ TEST_CASE("each reason not to be planar names what breaks it") {
   CHECK(why_not([](Scene& s) { std::get<Plane<double>>(s.objects[2].shape).normal.z = 1e-12; }) ==
         "Wall meets z = 0 aslant");
 }
+
+TEST_CASE("a relief of normals leaves the plan where the surface meets it") {
+  CHECK(why_not([](Scene& s) { s.objects[0].material.bump_map = BumpMap{{"b.png"}, 0.1}; }) ==
+        "Ball has a relief of normals and meets z = 0");
+  CHECK(why_not([](Scene& s) { s.objects[2].material.normal_map = NormalMap{{"n.png"}, 1}; }) ==
+        "Wall has a relief of normals and meets z = 0");
+  // Below the plan no ray in it meets the floor; and what else maps change keeps normals as they are.
+  CHECK(why_not([](Scene& s) { s.objects[1].material.bump_map = BumpMap{{"b.png"}, 0.1}; }) == "");
+  CHECK(why_not([](Scene& s) {
+          s.objects[0].material.maps = {{{"m.png"}, MappedParameter::roughness}};
+          s.objects[0].material.mask = Mask{{"m.png"}};
+        }) == "");
+}

@@ -121,6 +121,14 @@ std::vector<Switch> switches() {
          s.objects[2].material.mirror = MirrorKind::gold;
        },
        [](Scene& s) { s.objects[3].material.roughness = 0.3, s.objects[3].material.mirror = MirrorKind::gold; }},
+      {maps,
+       {maps},
+       [](Scene& s) {
+         const Image shares{2, 1, {Rgb<float>(0.3F), Rgb<float>(0.9F)}};
+         s.objects[2].material.maps = {
+             {{"shares.png", 0.3, 0.3, std::make_shared<const Image>(shares)}, MappedParameter::ambient}};
+       },
+       dull},
       {sky, {sky}, [](Scene& s) { s.sky = Sky{GradientSky{}}; }, dull},
   };
 }
@@ -275,7 +283,8 @@ TEST_CASE("an effect that is switched on leaves alone what holds nothing of it")
                     (decided && decided->holds && (effect == Effect::gloss || effect == Effect::microfacets) &&
                      event.line == Line::if_reflective) ||
                     (found && found->object == 2 &&
-                     (effect == Effect::textures || effect == Effect::filtering || effect == Effect::motion_blur)) ||
+                     (effect == Effect::textures || effect == Effect::filtering || effect == Effect::maps ||
+                      effect == Effect::motion_blur)) ||
                     (found && found->ending == Ending::missed && effect == Effect::sky);
           }
           if (!meets) ++spared, wrong += old != now;
@@ -301,7 +310,7 @@ TEST_CASE("cast and whitted leave out what they do not follow, and draw nothing"
   };
   const auto whole = traced(Integrator::distributed, 3);
   CHECK(used_by(scene, 3) == std::set{shadows, reflection, refraction, gloss, translucency, penumbra, depth_of_field,
-                                      motion_blur, antialiasing, textures, sky, filtering, microfacets});
+                                      motion_blur, antialiasing, textures, sky, filtering, microfacets, maps});
   CHECK(whole.statistics.random_draws() > 0);
   scene.render.integrator = Integrator::automatic;
   CHECK(integrator_of(scene) == Integrator::distributed);
@@ -309,7 +318,7 @@ TEST_CASE("cast and whitted leave out what they do not follow, and draw nothing"
   CHECK(integrator_of(plain_scene(), 2) == Integrator::distributed);
 
   scene.render.integrator = Integrator::whitted;
-  const std::set<Effect> fixed{shadows, reflection, refraction, penumbra, textures, sky, filtering, microfacets};
+  const std::set<Effect> fixed{shadows, reflection, refraction, penumbra, textures, sky, filtering, microfacets, maps};
   CHECK(used_by(scene, 1) == fixed);
   const auto sharp = picture<double>(scene, width, height, {3, 5});
   CHECK(sharp.statistics.random_draws() == 0);
@@ -318,10 +327,10 @@ TEST_CASE("cast and whitted leave out what they do not follow, and draw nothing"
   scene.render.sampler = Sampler::sobol;
   CHECK(same(sharp, picture<double>(scene, width, height, {3, 99})));
   scene.render.light_grid = 1;  // the middle of each light
-  CHECK(used_by(scene, 1) == std::set{shadows, reflection, refraction, textures, sky, filtering, microfacets});
+  CHECK(used_by(scene, 1) == std::set{shadows, reflection, refraction, textures, sky, filtering, microfacets, maps});
 
   scene.render.integrator = Integrator::cast;
-  CHECK(used_by(scene, 1) == std::set{shadows, textures, sky, filtering});
+  CHECK(used_by(scene, 1) == std::set{shadows, textures, sky, filtering, maps});
   const auto cast = picture<double>(scene, width, height);
   CHECK(cast.statistics.formed(RayKind::reflect) == 0);
   CHECK(cast.statistics.formed(RayKind::refract) == 0);

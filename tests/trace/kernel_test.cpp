@@ -30,6 +30,15 @@ Scene scene_for(const HitEffects& set) {
     scene.objects[1].material.gloss = 0, scene.objects[1].material.roughness = 0.2;
     for (Object& one : scene.objects) one.material.diffuse_roughness = 0.6;
   }
+  if (set.maps) {
+    const Image shares{2, 2, {Rgb<float>(0.2F), Rgb<float>(0.9F), Rgb<float>(0.6F), Rgb<float>(0.4F)}};
+    const auto pixels = std::make_shared<const Image>(shares);
+    for (Object& one : scene.objects) {
+      one.material.maps = {{{"shares.png", 0.7, 0.9, pixels}, MappedParameter::diffuse, MapChannel::red},
+                           {{"shares.png", 0.4, 0.6, pixels}, MappedParameter::roughness, MapChannel::red}};
+      one.material.bump_map = BumpMap{{"shares.png", 1, 1, pixels}, 0.05, MapChannel::red};
+    }
+  }
   if (set.nesting) {
     Object bubble = scene.objects[2];
     bubble.name = "Bubble";
@@ -46,8 +55,9 @@ Scene scene_for(const HitEffects& set) {
 }
 
 constexpr HitEffects with(bool reflection, bool refraction, bool textures, bool penumbra, bool lobes, bool nesting,
-                          bool sky = false, bool filtering = false, bool microfacets = false) {
-  return {reflection, refraction, textures, penumbra, lobes, true, nesting, true, false, sky, filtering, microfacets};
+                          bool sky = false, bool filtering = false, bool microfacets = false, bool maps = false) {
+  return {reflection, refraction, textures, penumbra,  lobes,       true, nesting,
+          true,       false,      sky,      filtering, microfacets, maps};
 }
 constexpr HitEffects sets[] = {with(false, false, false, false, false, false),
                                with(false, false, true, true, false, false),
@@ -64,7 +74,9 @@ constexpr HitEffects sets[] = {with(false, false, false, false, false, false),
                                with(true, true, true, false, false, true, false, true),
                                with(true, false, false, false, false, false, false, false, true),
                                with(true, true, true, true, true, true, true, false, true),
-                               with(true, true, true, true, true, true, true, true, true)};
+                               with(true, true, true, true, true, true, true, true, true),
+                               with(false, false, false, false, false, false, false, false, false, true),
+                               with(true, true, true, true, true, true, true, true, true, true)};
 
 struct Counter final : Observer {
   std::uint64_t events = 0;
@@ -132,6 +144,7 @@ TEST_CASE("the kernels are different ones") {
   CHECK_FALSE(
       same_bits(full, by([](const auto&... a) { return detail::run_kernel<double, HitEffects{.sky = false}>(a...); })));
   CHECK_FALSE(same_bits(full, by([](const auto&... a) { return detail::run_kernel<double, no_filtering>(a...); })));
+  CHECK_FALSE(same_bits(full, by([](const auto&... a) { return detail::run_kernel<double, no_maps>(a...); })));
 }
 
 TEST_CASE("effects that are not called for fire no ray and draw no number") {

@@ -67,7 +67,7 @@ foreach(licence IN ITEMS "Raywalk=${CMAKE_SOURCE_DIR}/LICENSE" ${of_libraries}
 endforeach()
 configure_file("${licences}.new" "${licences}" COPYONLY)  # newer only if it changed
 file(GLOB scenes CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/scenes/*.toml" "${CMAKE_SOURCE_DIR}/scenes/*.ply"
-  "${CMAKE_SOURCE_DIR}/scenes/*.hdr")
+  "${CMAKE_SOURCE_DIR}/scenes/*.hdr" "${CMAKE_SOURCE_DIR}/scenes/*.png")
 file(GLOB_RECURSE lessons CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/lessons/*")
 file(GLOB texts CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/src/text/*.toml")
 list(FILTER texts EXCLUDE REGEX "/en[.]toml$") # it is part of the program

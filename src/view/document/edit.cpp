@@ -227,7 +227,10 @@ void action::SetMaterial::apply(State& state) const {
   if (!exists(state, {TargetKind::object, object})) return;
   Scene next = state.scene();
   Object& changed = next.objects[static_cast<std::size_t>(object)];
-  if (material.texture && (!changed.material.texture || changed.material.texture->file != material.texture->file)) {
+  bool loads =
+      material.texture && (!changed.material.texture || changed.material.texture->file != material.texture->file);
+  each_map(material, [&](const MapImage& map, bool /*colour*/) { loads |= !map.file.empty() && !map.pixels; });
+  if (loads) {
     Scene alone;
     alone.objects = {{changed.name, Sphere<double>{{0, 0, 0}, 1}, material}};
     const std::string& path = state.document.contents.path;

@@ -91,6 +91,7 @@ void LobeRoom::draw_in_plan(Painter& painter) {
   if (ray == nullptr) return;
   const Material& material = state.scene().objects[static_cast<std::size_t>(ray->object)].material;
   if (!material.is_rough() && !material.is_rough_diffuse()) return;
+  if (material.is_mapped()) return;  // the surface is another one from point to point
   const auto walked = walked_scene(state);
   if (!effects_of(*walked, walked->render.samples).used(Effect::microfacets)) return;
   const LobeAt lobe(*ray, material);
