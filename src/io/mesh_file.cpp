@@ -69,13 +69,13 @@ std::string why_unseen(const Mesh& mesh) {
                     : fmt::format("none of its {} triangles has an area: no ray meets them", count);
 }
 
-std::string warning_of_textures(const std::string& place, std::string_view material, std::string_view texture,
-                                std::size_t others) {
+std::string warning_of_textures(const std::string& place, std::string_view which, std::string_view material,
+                                std::string_view texture, std::size_t others) {
   const std::string more = others == 0 ? "" : fmt::format(", and {} other material{}", others, others == 1 ? "" : "s");
   return fmt::format(
-      "{}: warning: textures of mesh files are not read: the material \"{}\" has {}{}; such surfaces show the "
+      "{}: warning: {} are not read: the material \"{}\" has {}{}; such surfaces show the "
       "material's own colour",
-      place, material.substr(0, 60), texture.substr(0, 100), more);
+      place, which, material.substr(0, 60), texture.substr(0, 100), more);
 }
 
 MeshFile finished_mesh(Mesh mesh, const std::string& path) {

@@ -56,10 +56,10 @@ inline constexpr std::size_t max_mesh_bytes = std::size_t{1} << 31;
 [[nodiscard]] std::string why_no_mesh(const Mesh& mesh);
 /// Why nothing of a valid mesh is visible, or "".
 [[nodiscard]] std::string why_unseen(const Mesh& mesh);
-/// The warning, of one file, that textures of its materials are not read: the first one's, and how many others have
-/// some. `place`: "FILE" or "FILE:LINE".
-[[nodiscard]] std::string warning_of_textures(const std::string& place, std::string_view material,
-                                              std::string_view texture, std::size_t others);
+/// The warning, of one file, that textures of its materials (`which`) are not read: the first one's, and how many
+/// others have some. `place`: "FILE" or "FILE:LINE".
+[[nodiscard]] std::string warning_of_textures(const std::string& place, std::string_view which,
+                                              std::string_view material, std::string_view texture, std::size_t others);
 /// The mesh read from the file `path`, with a warning if nothing of it is visible.
 [[nodiscard]] MeshFile finished_mesh(Mesh mesh, const std::string& path);
 

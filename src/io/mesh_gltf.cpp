@@ -63,22 +63,22 @@ struct View {
 
 class GltfReader {
  public:
-  GltfReader(const GltfFile& file, const std::string& path) : file_(file), path_(path) {}
+  GltfReader(const GltfFile& file, const std::string& path) : file_(file), path_(path), maps_(file, path) {}
 
   Result<MeshFile> read() {
     read_materials();
     read_scene();
     if (file_.failure()) return tl::unexpected(Error{path_, 0, 0, file_.failure()->message, file_.failure()->hint});
     if (!has_normals_) mesh_.normals.clear();
-    if (!has_uv_) mesh_.uv.clear();
+    if (!has_uv_) mesh_.uv.clear(), materials_ = without_maps_;
     if (const std::string why = detail::why_no_mesh(mesh_); !why.empty())
       return tl::unexpected(Error{path_, 0, 0, why, "only triangles are read, not lines, points or skins"});
     const bool has_materials = !materials_.empty();
     if (!has_materials) mesh_.materials.clear();
     MeshFile result = detail::finished_mesh(std::move(mesh_), path_);
     if (textured_ > 0)
-      result.warnings.push_back(
-          detail::warning_of_textures(path_, first_textured_.name, first_textured_.texture, textured_ - 1));
+      result.warnings.push_back(detail::warning_of_textures(path_, "some textures of this file", first_textured_.name,
+                                                            first_textured_.texture, textured_ - 1));
     if (has_materials) result.materials = std::make_shared<const std::vector<Material>>(std::move(materials_));
     return result;
   }
@@ -266,53 +266,31 @@ class GltfReader {
   void read_materials() {
     for (std::int64_t i = 0; i < file_.size_of("materials"); ++i) {
       const Json& from = file_.element("materials", i);
-      materials_.push_back(material_of(from));
-      const std::string texture = texture_of(from);
+      detail::GltfMaps::Factors factors;
+      materials_.push_back(material_of(from, factors));
+      without_maps_.push_back(materials_.back());
+      const std::string texture = maps_.add_to(materials_.back(), from, factors);
       if (texture.empty() || ++textured_ > 1) continue;
       const std::string name = text_if_any(from, "name");
       first_textured_ = {name.empty() ? std::to_string(i) : name, {}, texture};
     }
   }
 
-  // Of what is not read: whatever is wrong with it is no failure.
   [[nodiscard]] static std::string text_if_any(const Json& object, const char* key) {
     const Json* found = GltfFile::find(object, key);
     return found != nullptr && found->is_string() ? found->get<std::string>() : std::string();
   }
-  [[nodiscard]] const Json* named_by(const Json& object, const char* key, const char* list) const {
-    const Json* index = GltfFile::find(object, key);
-    if (index == nullptr || !index->is_number_unsigned()) return nullptr;
-    const auto i = index->get<std::uint64_t>();
-    const auto size = static_cast<std::uint64_t>(file_.size_of(list));
-    return i < size ? &file_.element(list, static_cast<std::int64_t>(i)) : nullptr;
-  }
-  /// A texture of the material, with its image's name if it has one; or "".
-  [[nodiscard]] std::string texture_of(const Json& material) const {
-    const Json* pbr = GltfFile::find(material, "pbrMetallicRoughness");
-    for (const char* key :
-         {"baseColorTexture", "metallicRoughnessTexture", "normalTexture", "occlusionTexture", "emissiveTexture"}) {
-      const Json* use = GltfFile::find(material, key);
-      if (use == nullptr && pbr != nullptr) use = GltfFile::find(*pbr, key);
-      if (use == nullptr) continue;
-      const Json* texture = named_by(*use, "index", "textures");
-      const Json* image = texture == nullptr ? nullptr : named_by(*texture, "source", "images");
-      std::string name = image == nullptr ? "" : text_if_any(*image, "uri");
-      if (name.empty() || name.rfind("data:", 0) == 0) name = image == nullptr ? "" : text_if_any(*image, "name");
-      return name.empty() ? key : std::string(key) + " " + name;
-    }
-    return {};
-  }
 
   /// The metallic part is a mirror, the weaker the rougher it is; the rest is matt, or glass as rough as it says, by
   /// the square of what glTF calls roughness.
-  Material material_of(const Json& from) {
+  Material material_of(const Json& from, detail::GltfMaps::Factors& factors) {
     Material material;
     const Json empty = Json::object();
     const Json* found = file_.find(from, "pbrMetallicRoughness");
     const Json& pbr = found ? *found : empty;
     const auto base = file_.numbers<4>(pbr, "baseColorFactor", {1, 1, 1, 1});
     const double rough = file_.numbers<1>(pbr, "roughnessFactor", {1})[0];
-    const double mirrored = file_.numbers<1>(pbr, "metallicFactor", {1})[0] * (1 - rough);
+    const double metallic = file_.numbers<1>(pbr, "metallicFactor", {1})[0], mirrored = metallic * (1 - rough);
     const auto emission = file_.numbers<3>(from, "emissiveFactor", {0, 0, 0});
     const auto colour = [](double x) { return std::clamp(x, 0.0, 1.0); };
     const Rgbd tint(colour(base[0]), colour(base[1]), colour(base[2]));
@@ -330,15 +308,17 @@ class GltfReader {
     material.emission = {light(emission[0]), light(emission[1]), light(emission[2])};
     material.dielectric = through > 0;
     if (through > 0) material.roughness = colour(rough) * colour(rough);
+    factors = {tint, colour(metallic), colour(rough), through};
     return material;
   }
 
   const GltfFile& file_;
   const std::string& path_;
+  detail::GltfMaps maps_;
   Mesh mesh_;
-  std::vector<Material> materials_;
+  std::vector<Material> materials_, without_maps_;
   NamedMaterial first_textured_;
-  std::size_t textured_ = 0;  ///< materials with textures
+  std::size_t textured_ = 0;  ///< materials with textures that are not read
   std::int64_t nodes_visited_ = 0;
   bool has_normals_ = false, has_uv_ = false;
 };

@@ -7,9 +7,11 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace raywalk::detail {
@@ -63,5 +65,36 @@ class GltfFile {
 };
 
 [[nodiscard]] Result<GltfFile> open_gltf(std::string bytes, const std::string& path);
+
+/// The bytes of a URI: in the URI itself, or in a file beside the one at `path`. Nothing is downloaded. `what` it is
+/// of, for messages.
+[[nodiscard]] tl::expected<std::string, GltfFile::Failure> bytes_of_uri(const std::string& uri, const std::string& path,
+                                                                        const std::string& what);
+
+/// What the textures of materials make of these, as maps (io/mesh_gltf_maps.cpp).
+class GltfMaps {
+ public:
+  GltfMaps(const GltfFile& file, std::string path) : file_(file), path_(std::move(path)) {}
+  /// The factors of a material in glTF's own terms, linear and in 0..1.
+  struct Factors {
+    Rgbd base{1.0};
+    double metallic = 1, roughness = 1, through = 0;
+  };
+  /// Adds the maps of its textures to a material that is made of the factors alone. The name of the first texture that
+  /// is not read, with its image's name if it has one; or "".
+  std::string add_to(Material& material, const Json& from, const Factors& factors);
+
+ private:
+  using Pixels = std::shared_ptr<const Image>;
+  /// A texture that lies on TEXCOORD_0 and can be read; null if there is none.
+  Pixels read(const Json* use, const char* key, bool is_colour);
+  [[nodiscard]] const Json* named_by(const Json& object, const char* key, const char* list) const;
+  [[nodiscard]] std::optional<std::string> bytes_of(const Json& image) const;
+
+  const GltfFile& file_;
+  std::string path_;
+  std::map<std::pair<const Json*, bool>, Pixels> images_;
+  std::string unread_;
+};
 
 }  // namespace raywalk::detail

@@ -122,24 +122,10 @@ int line_of(std::string_view text, const std::string& word) {
   return static_cast<int>(1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
 }
 
-/// The bytes of a buffer's URI: in the URI itself, or in a file next to this one. Nothing is downloaded.
 std::string read_uri(const GltfFile& file, const std::string& uri, const std::string& path) {
-  if (uri.rfind("data:", 0) == 0) {
-    const std::size_t comma = uri.find(";base64,");
-    const auto bytes = comma == std::string::npos ? std::nullopt : from_base64(std::string_view(uri).substr(comma + 8));
-    if (!bytes)
-      file.fail("a data URI that is not base64 (expected data:...;base64,...)", "export it with its buffer in a file");
-    return bytes.value_or("");
-  }
-  const std::string name = from_percent(uri);
-  if (!stays_beside(name)) {
-    file.fail("a buffer lies at \"" + uri.substr(0, 60) + "\" (expected a file beside the mesh)",
-              "nothing is read from elsewhere: copy the buffer into the mesh's folder");
-    return "";
-  }
-  auto bytes = read_file(path_beside(path, name), max_mesh_bytes);
+  auto bytes = bytes_of_uri(uri, path, "buffer");
   if (bytes) return std::move(*bytes);
-  file.fail("its buffer \"" + name.substr(0, 60) + "\": " + bytes.error().message, bytes.error().hint);
+  file.fail(bytes.error().message, bytes.error().hint);
   return "";
 }
 
@@ -149,6 +135,27 @@ const Json& nothing() {
 }
 
 }  // namespace
+tl::expected<std::string, GltfFile::Failure> bytes_of_uri(const std::string& uri, const std::string& path,
+                                                          const std::string& what) {
+  const auto failure = [](std::string message, std::string hint) {
+    return tl::unexpected(GltfFile::Failure{std::move(message), std::move(hint)});
+  };
+  if (uri.rfind("data:", 0) == 0) {
+    const std::size_t comma = uri.find(";base64,");
+    auto bytes = comma == std::string::npos ? std::nullopt : from_base64(std::string_view(uri).substr(comma + 8));
+    if (!bytes)
+      return failure("a data URI that is not base64 (expected data:...;base64,...)",
+                     "export it with its " + what + " in a file");
+    return std::move(*bytes);
+  }
+  const std::string name = from_percent(uri);
+  if (!stays_beside(name))
+    return failure("a " + what + " lies at \"" + uri.substr(0, 60) + "\" (expected a file beside the mesh)",
+                   "nothing is read from elsewhere: copy the " + what + " into the mesh's folder");
+  auto bytes = read_file(path_beside(path, name), max_mesh_bytes);
+  if (bytes) return std::move(*bytes);
+  return failure("its " + what + " \"" + name.substr(0, 60) + "\": " + bytes.error().message, bytes.error().hint);
+}
 
 const Json* GltfFile::find(const Json& object, const char* key) {
   if (!object.is_object()) return nullptr;

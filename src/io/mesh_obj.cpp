@@ -220,7 +220,8 @@ class ObjReader {
     if (const auto first = std::find_if(read->begin(), read->end(), has_texture); first != read->end()) {
       const auto others = static_cast<std::size_t>(std::count_if(first + 1, read->end(), has_texture));
       unread_textures_.push_back(detail::warning_of_textures(fmt::format("{}:{}", path, first->texture_line),
-                                                             first->name, first->texture, others));
+                                                             "textures of mesh files", first->name, first->texture,
+                                                             others));
     }
     for (NamedMaterial& each : *read) {
       (*now)[std::move(each.name)] = static_cast<std::int32_t>(materials_.size());

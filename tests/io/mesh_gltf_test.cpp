@@ -1,5 +1,6 @@
 // glTF meshes, right ones and wrong ones.
 
+#include "image/image_file.h"
 #include "io/mesh_file.h"
 #include "support/catch.h"
 #include "support/temporary_folder.h"
@@ -104,7 +105,7 @@ TEST_CASE("glass of a glTF file is as rough as the square of what it calls rough
   CHECK(material.ior == 1.4);
 }
 
-TEST_CASE("that a glTF file's textures are not read is said once, whatever is wrong with them") {
+TEST_CASE("that some of a glTF file's textures are not read is said once, whatever is wrong with them") {
   const auto warnings = [](const std::string& materials) {
     const std::string textures =
         R"(, "textures": [{"source": 1}, {"source": 7}], "images": [{"uri": "a.png"}, {"uri": "wood%20.png"}])";
@@ -115,7 +116,7 @@ TEST_CASE("that a glTF file's textures are not read is said once, whatever is wr
     if (!read) FAIL(read.error().text());
     return read->warnings;
   };
-  const std::string said = "a.glb: warning: textures of mesh files are not read: the material \"wood\" has ";
+  const std::string said = "a.glb: warning: some textures of this file are not read: the material \"wood\" has ";
   CHECK(warnings("}").empty());
   CHECK(warnings(R"(, "normalTexture": {"index": 0}})") ==
         std::vector<std::string>{said + "normalTexture wood%20.png; such surfaces show the material's own colour"});
@@ -123,6 +124,61 @@ TEST_CASE("that a glTF file's textures are not read is said once, whatever is wr
         std::vector<std::string>{
             said + "emissiveTexture, and 2 other materials; such surfaces show the material's own colour"});
   CHECK(warnings(R"(, "occlusionTexture": {"index": 1e300}})").size() == 1);
+}
+
+TEST_CASE("a glTF file's textures become maps, where its vertices have texture points") {
+  const TemporaryFolder folder;
+  // As bytes: 128 and 255; 64 is a quarter but for rounding.
+  Image picture{2, 1, {}};
+  for (const double byte : {128.0, 255.0})
+    picture.pixels.emplace_back(static_cast<float>(srgb_decode(byte / 255)),
+                                static_cast<float>(srgb_decode(64.0 / 255)), 1.0F);
+  REQUIRE(write_image(folder.file("t.png"), picture));
+  const std::string uv =
+      R"("accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3"},
+                       {"bufferView": 1, "componentType": 5123, "count": 6, "type": "SCALAR"},
+                       {"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC2"}],
+         "bufferViews": [{"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 12}],
+         "textures": [{"source": 0}], "images": [{"uri": "t.png"}],)";
+  const auto material = [&](const std::string& json, bool with_uv = true) {
+    const std::string meshes = std::string(R"("meshes": [{"primitives": [{"attributes": {"POSITION": 0)") +
+                               (with_uv ? R"(, "TEXCOORD_0": 2)" : "") + R"(}, "indices": 1, "material": 0}]}],)";
+    const auto read =
+        parse_gltf(glb(gltf(plain_node, "", uv + meshes + R"("materials": [{)" + json + "}]")), folder.file("a.glb"));
+    if (!read) FAIL(read.error().text());
+    CHECK(read->warnings.empty());
+    return read->materials->front();
+  };
+  const float half = static_cast<float>(srgb_decode(128.0 / 255));
+  const std::string base = R"("baseColorTexture": {"index": 0}, "baseColorFactor": [1, 0.5, 0, 1])";
+  Material plain = material(R"("pbrMetallicRoughness": {)" + base +
+                            R"(, "metallicFactor": 0}, "emissiveFactor": [1, 1, 1], "emissiveTexture": {"index": 0},
+                               "normalTexture": {"index": 0, "scale": 0.5})");
+  REQUIRE(plain.maps.size() == 2);
+  CHECK(plain.maps[0].of == MappedParameter::diffuse);
+  CHECK(plain.maps[1].of == MappedParameter::emission);
+  CHECK(plain.diffuse == Rgbd(1, 0.5, 0));
+  CHECK(plain.maps[0].pixels->at(0, 0).x == half);
+  CHECK(plain.maps[0].height == -1);  // its v runs downward
+  REQUIRE(plain.normal_map);
+  CHECK(plain.normal_map->strength == 0.5);
+  CHECK(plain.normal_map->pixels->at(0, 0).x == static_cast<float>(128.0 / 255));
+  // Green is roughness, blue metal.
+  const Material worn = material(R"("pbrMetallicRoughness": {)" + base +
+                                 R"(, "metallicRoughnessTexture": {"index": 0}, "metallicFactor": 0.5})");
+  REQUIRE(worn.maps.size() == 2);
+  CHECK(worn.maps[0].of == MappedParameter::reflection);
+  CHECK(worn.maps[1].of == MappedParameter::diffuse);
+  const double mirror = 0.5 * (1 - 64.0 / 255);
+  CHECK(static_cast<double>(worn.maps[0].pixels->at(0, 0).x) == Approx(mirror * static_cast<double>(half)));
+  CHECK(static_cast<double>(worn.maps[1].pixels->at(1, 0).x) == Approx(1 - mirror));
+  CHECK(worn.reflection == Rgbd(1.0));
+  // Without texture points, its factors alone.
+  const Material bare = material(
+      R"("pbrMetallicRoughness": {)" + base + R"(, "metallicRoughnessTexture": {"index": 0}, "metallicFactor": 0.5})",
+      false);
+  CHECK_FALSE(bare.is_mapped());
+  CHECK(bare.diffuse == Rgbd(1, 0.5, 0));
 }
 
 TEST_CASE("nodes put a mesh where they say, mirrored ones too") {

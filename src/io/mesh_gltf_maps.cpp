@@ -1,0 +1,149 @@
+// Textures of glTF materials. Their v runs downward, so each copy is -1 high. Base colour, metal and roughness are
+// three factors of what our materials state as kd, kr and the roughness of glass: where a texture has one of the last
+// two, these are computed for each pixel.
+
+#include "image/image_file.h"
+#include "io/mesh_gltf.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace raywalk::detail {
+
+namespace {
+
+MapImage laid(const std::shared_ptr<const Image>& pixels) { return {"", 1, -1, pixels}; }
+
+std::string text_of(const Json& object, const char* key) {
+  const Json* found = GltfFile::find(object, key);
+  return found != nullptr && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+/// The pixel of an image at the place of that of an image of another size.
+Rgbd at_place(const Image* image, int column, int row, const Image& of) {
+  if (image == nullptr) return Rgbd(1.0);
+  return Rgbd(image->at(static_cast<int>(std::int64_t{column} * image->width / of.width),
+                        static_cast<int>(std::int64_t{row} * image->height / of.height)));
+}
+
+double within(double x) { return std::clamp(x, 0.0, 1.0); }
+
+}  // namespace
+
+// Of what is not read: whatever is wrong with it is no failure.
+const Json* GltfMaps::named_by(const Json& object, const char* key, const char* list) const {
+  const Json* index = GltfFile::find(object, key);
+  if (index == nullptr || !index->is_number_unsigned()) return nullptr;
+  const auto i = index->get<std::uint64_t>();
+  return i < static_cast<std::uint64_t>(file_.size_of(list)) ? &file_.element(list, static_cast<std::int64_t>(i))
+                                                             : nullptr;
+}
+
+std::optional<std::string> GltfMaps::bytes_of(const Json& image) const {
+  if (const std::string uri = text_of(image, "uri"); !uri.empty()) {
+    auto bytes = bytes_of_uri(uri, path_, "image");
+    if (!bytes) return std::nullopt;
+    return std::move(*bytes);
+  }
+  const Json* view = named_by(image, "bufferView", "bufferViews");
+  const Json* index = view == nullptr ? nullptr : GltfFile::find(*view, "buffer");
+  if (index == nullptr || !index->is_number_unsigned()) return std::nullopt;
+  const auto buffer = index->get<std::uint64_t>();
+  if (buffer >= file_.buffers.size()) return std::nullopt;
+  const std::string& bytes = *file_.buffers[static_cast<std::size_t>(buffer)];
+  const auto number = [&](const char* key) -> std::size_t {
+    const Json* found = GltfFile::find(*view, key);
+    return found != nullptr && found->is_number_unsigned() ? found->get<std::size_t>() : 0;
+  };
+  const std::size_t offset = number("byteOffset"), length = number("byteLength");
+  if (offset > bytes.size() || length > bytes.size() - offset) return std::nullopt;
+  return bytes.substr(offset, length);
+}
+
+auto GltfMaps::read(const Json* use, const char* key, bool is_colour) -> Pixels {
+  if (use == nullptr) return nullptr;
+  const Json* texture = named_by(*use, "index", "textures");
+  const Json* image = texture == nullptr ? nullptr : named_by(*texture, "source", "images");
+  const Json* on = GltfFile::find(*use, "texCoord");
+  const bool is_first = on == nullptr || (on->is_number_unsigned() && on->get<std::uint64_t>() == 0);
+  Pixels pixels;
+  if (image != nullptr && is_first && GltfFile::find(*use, "extensions") == nullptr) {
+    const auto [known, is_new] = images_.try_emplace({image, is_colour});
+    if (is_new) {
+      const auto bytes = bytes_of(*image);
+      auto decoded = bytes ? decode_png_or_jpeg(*bytes, path_, is_colour ? ByteMeaning::colour : ByteMeaning::number)
+                           : Result<Image>(tl::unexpected(Error{}));
+      if (decoded) known->second = std::make_shared<const Image>(std::move(*decoded));
+    }
+    pixels = known->second;
+  }
+  if (!pixels && unread_.empty()) {
+    std::string name = image == nullptr ? "" : text_of(*image, "uri");
+    if (name.empty() || name.rfind("data:", 0) == 0) name = image == nullptr ? "" : text_of(*image, "name");
+    unread_ = name.empty() ? key : std::string(key) + " " + name;
+  }
+  return pixels;
+}
+
+std::string GltfMaps::add_to(Material& material, const Json& from, const Factors& factors) {
+  unread_.clear();
+  const Json none = Json::object();
+  const Json* found = GltfFile::find(from, "pbrMetallicRoughness");
+  const Json& pbr = found != nullptr ? *found : none;
+  const Pixels base = read(GltfFile::find(pbr, "baseColorTexture"), "baseColorTexture", true);
+  const Pixels metal = read(GltfFile::find(pbr, "metallicRoughnessTexture"), "metallicRoughnessTexture", false);
+  const auto map = [&](MappedParameter of, const Pixels& pixels) { material.maps.push_back({laid(pixels), of}); };
+  if (metal) {
+    const Image& size = base && base->pixels.size() > metal->pixels.size() ? *base : *metal;
+    Image mirrored{size.width, size.height, {}}, matt = mirrored, passed = mirrored, rough = mirrored;
+    for (int row = 0; row < size.height; ++row)
+      for (int column = 0; column < size.width; ++column) {
+        const Rgbd own = at_place(metal.get(), column, row, size);
+        const Rgbd tint = factors.base * at_place(base.get(), column, row, size);
+        const double roughness = within(factors.roughness * own.y);
+        const double mirror = within(factors.metallic * own.z) * (1 - roughness), opaque = 1 - factors.through;
+        mirrored.pixels.emplace_back(opaque * mirror * tint);
+        matt.pixels.emplace_back(opaque * (1 - mirror) * tint);
+        passed.pixels.emplace_back(factors.through * tint);
+        rough.pixels.emplace_back(Rgbd(roughness * roughness));
+      }
+    const auto take = [&](Rgbd& colour, MappedParameter of, Image& pixels) {
+      if (std::all_of(pixels.pixels.begin(), pixels.pixels.end(), [](const auto& each) { return is_black(each); })) {
+        colour = Rgbd(0.0);
+        return;
+      }
+      colour = Rgbd(1.0);
+      map(of, std::make_shared<const Image>(std::move(pixels)));
+    };
+    take(material.reflection, MappedParameter::reflection, mirrored);
+    take(material.diffuse, MappedParameter::diffuse, matt);
+    take(material.transmission, MappedParameter::transmission, passed);
+    if (factors.through > 0) {
+      material.roughness = 1;
+      map(MappedParameter::roughness, std::make_shared<const Image>(std::move(rough)));
+    }
+  } else if (base) {
+    if (!is_black(material.diffuse)) map(MappedParameter::diffuse, base);
+    if (!is_black(material.reflection)) map(MappedParameter::reflection, base);
+    if (!is_black(material.transmission)) map(MappedParameter::transmission, base);
+  }
+  if (const Pixels light = read(GltfFile::find(from, "emissiveTexture"), "emissiveTexture", true);
+      light && !is_black(material.emission))
+    map(MappedParameter::emission, light);
+  const Json* use = GltfFile::find(from, "normalTexture");
+  if (const Pixels normals = read(use, "normalTexture", false)) {
+    const Json* scale = GltfFile::find(*use, "scale");
+    constexpr double most = 1e6;
+    material.normal_map = NormalMap{
+        laid(normals), scale != nullptr && scale->is_number() ? std::clamp(scale->get<double>(), 0.0, most) : 1};
+  }
+  if (const Json* occlusion = GltfFile::find(from, "occlusionTexture"); occlusion != nullptr && unread_.empty()) {
+    const Json* texture = named_by(*occlusion, "index", "textures");
+    const Json* image = texture == nullptr ? nullptr : named_by(*texture, "source", "images");
+    const std::string name = image == nullptr ? "" : text_of(*image, "uri");
+    unread_ = name.empty() ? "occlusionTexture" : "occlusionTexture " + name;
+  }
+  return unread_;
+}
+
+}  // namespace raywalk::detail
