@@ -74,7 +74,8 @@ struct Distances {
 /// floor.
 bool is_ground(const Labelled& thing, const DrawnBody& body) {
   if (body.item.target == thing.body) return true;
-  if (!thing.body && distance_to(body.item, thing.at) == 0) return true;
+  const bool may_stand = !thing.body && apart(body.box, {thing.at, thing.at}) <= 0;  // cheap, where bodies are many
+  if (may_stand && distance_to(body.item, thing.at) == 0) return true;
   const Vec2d low = thing.at - thing.half, high = thing.at + thing.half;
   const Vec2d size = body.box.max - body.box.min, own = high - low;
   const bool around =
