@@ -17,7 +17,7 @@ struct SearchLoop {
     std::size_t waiting = search.waiting_;
     [[maybe_unused]] Bounds<float> box;
     std::uint64_t entered = search.nodes_;
-    const WideNode* const nodes = &search.tree_.node(0);
+    const WideNode* const nodes = search.tree_.nodes();
     auto* const stack = search.stack_.data();
     while (waiting > 0) {
       TreeChild at = stack[--waiting].child;

@@ -75,7 +75,7 @@ class WideTree {
   static constexpr std::size_t most_levels = BinaryTree::most_levels;
 
   [[nodiscard]] bool empty() const { return nodes_.empty(); }
-  [[nodiscard]] const WideNode& node(std::uint32_t index) const { return nodes_[index]; }
+  [[nodiscard]] const WideNode* nodes() const { return nodes_.data(); }
   [[nodiscard]] const TrianglePack& pack(std::uint32_t index) const { return packs_[index]; }
   [[nodiscard]] const std::int32_t* listed(std::uint32_t first) const { return &ids_[first]; }
   [[nodiscard]] std::vector<TrianglePack>& packs() { return packs_; }

@@ -25,7 +25,7 @@ bool holds(const Bounds<float>& outer, const Bounds<float>& inner) {
 // The ids of all leaves below a node, whose box is `box`; counts what is wrong.
 void gather(const WideTree& tree, std::uint32_t index, const Bounds<float>& box, const std::vector<TreeItem>& items,
             std::vector<int>& ids, int& wrong) {
-  const WideNode& node = tree.node(index);
+  const WideNode& node = tree.nodes()[index];
   wrong += node.count < 1 || node.count > tree_width;
   for (unsigned lane = 0; lane < tree_width; ++lane) {
     if (lane >= node.count) {
@@ -106,7 +106,7 @@ struct Soup {
 
 // Whether `id` is listed where `point` is inside of all boxes.
 bool finds(const WideTree& tree, std::uint32_t index, const Vec3d& point, std::int32_t id) {
-  const WideNode& node = tree.node(index);
+  const WideNode& node = tree.nodes()[index];
   for (unsigned lane = 0; lane < node.count; ++lane) {
     const Bounds<float> box = node.box(lane);
     bool inside = true;
