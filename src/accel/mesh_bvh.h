@@ -7,6 +7,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <optional>
 #include <type_traits>
 
 namespace raywalk {
@@ -117,7 +118,6 @@ class MeshBvh {
 
   WideTree tree_;
   std::shared_ptr<const MeshCopies<T>> copies_;  ///< null for none
-  Bounds<double> box_;                           ///< of the tree
 };
 
 template <class T>
@@ -131,21 +131,12 @@ MeshBvh<T>::MeshBvh(const PrimitiveBounds<T>& boxes, const Primitives<T>& primit
     const Triangle<T> triangle = primitives.triangles()[id - primitives.shape_count()];
     return std::array{wide(triangle.a), wide(triangle.b), wide(triangle.c)};
   });
-  box_ = wide(boxes.whole);
   if (!primitives.triangles().copies().empty()) copies_ = std::make_shared<const MeshCopies<T>>(primitives, build);
-  build.stop.each(tree_.packs().begin(), tree_.packs().end(), [&](TrianglePack& pack) {
-    for (std::size_t lane = 0; lane < tree_width; ++lane) {
-      const int id = pack.ids[lane];
-      constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-      std::array<Vec3<float>, 3> corners{Vec3<float>(nan), Vec3<float>(nan), Vec3<float>(nan)};
-      if (primitives.still_triangle(id)) {
-        const Triangle<T> triangle = primitives.triangles()[id - primitives.shape_count()];
-        if (!Triangles<T>::degenerate(triangle))
-          corners = {Vec3<float>(triangle.a), Vec3<float>(triangle.b), Vec3<float>(triangle.c)};
-      }
-      for (std::size_t corner = 0; corner < 3; ++corner)
-        for (int axis = 0; axis < 3; ++axis) pack.corners[corner][axis][lane] = corners[corner][axis];
-    }
+  tree_.fill_packs(build.stop, [&](std::int32_t id) -> std::optional<std::array<Vec3d, 3>> {
+    if (!primitives.still_triangle(id)) return std::nullopt;
+    const Triangle<T> triangle = primitives.triangles()[id - primitives.shape_count()];
+    if (Triangles<T>::degenerate(triangle)) return std::nullopt;
+    return std::array{wide(triangle.a), wide(triangle.b), wide(triangle.c)};
   });
 }
 
@@ -155,10 +146,11 @@ AcceleratorStatistics MeshBvh<T>::statistics() const {
                             tree_.expected_cost()};
   if (!copies_) return own;
   // A ray that meets the box of both meets either with the chance that their areas say.
-  Bounds<double> both = box_;
+  const Bounds<double> box = wide(tree_.box());
+  Bounds<double> both = box;
   both.include(copies_->box());
   AcceleratorStatistics all = copies_->statistics();
-  all.expected_cost = (half_area(box_) * own.expected_cost + half_area(copies_->box()) * all.expected_cost) /
+  all.expected_cost = (half_area(box) * own.expected_cost + half_area(copies_->box()) * all.expected_cost) /
                       std::max(half_area(both), std::numeric_limits<double>::min());
   all.nodes += own.nodes, all.references += own.references, all.bytes += own.bytes;
   all.depth = std::max(all.depth, own.depth);

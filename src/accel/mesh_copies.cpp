@@ -3,12 +3,17 @@
 #include "accel/float_slabs.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 
 namespace raywalk {
 namespace {
+/// Twice the rounding error of mapping, in proportion to the sizes of its terms, is less.
+constexpr double map_error = 8 * std::numeric_limits<double>::epsilon();
+
 Vec3d absolute(const Vec3d& v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }
 
 /// |M| v: the sizes of the terms that a point or direction is mapped by.
@@ -18,8 +23,7 @@ Vec3d sizes(const Affine<double>& map, const Vec3d& v) {
 
 /// Of mapping points whose coordinates are up to `size`.
 Vec3d rounding_of(const Affine<double>& map, const Vec3d& size) {
-  constexpr double twice = 8 * std::numeric_limits<double>::epsilon();
-  return twice * (sizes(map, size) + absolute(map.move));
+  return map_error * (sizes(map, size) + absolute(map.move));
 }
 
 Vec3d largest(const Bounds<double>& box) {
@@ -44,14 +48,7 @@ WideTree tree_over(const Mesh& mesh, const BuildOptions& build) {
   BuildOptions own = build;
   own.watcher = nullptr;  // its boxes are those of no place in the scene
   WideTree tree(std::move(items), own, corners_of);
-  build.stop.each(tree.packs().begin(), tree.packs().end(), [&](TrianglePack& pack) {
-    for (std::size_t lane = 0; lane < tree_width; ++lane) {
-      const auto corners = corners_of(pack.ids[lane]);
-      for (std::size_t corner = 0; corner < 3; ++corner)
-        for (int axis = 0; axis < 3; ++axis)
-          pack.corners[corner][axis][lane] = static_cast<float>(corners[corner][axis]);
-    }
-  });
+  tree.fill_packs(build.stop, [&](std::int32_t triangle) { return std::optional(corners_of(triangle)); });
   return tree;
 }
 
@@ -74,8 +71,7 @@ Vec3d CopyPlace::off_at(const Vec3d& origin) const {
 }
 
 double CopyPlace::turned(const Vec3d& direction, const Vec3d& along) const {
-  constexpr double twice = 8 * std::numeric_limits<double>::epsilon();
-  return twice * max_component(sizes(to_mesh_, absolute(direction))) / max_component(absolute(along));
+  return map_error * max_component(sizes(to_mesh_, absolute(direction))) / max_component(absolute(along));
 }
 
 template <class T>
@@ -106,7 +102,6 @@ MeshCopies<T>::MeshCopies(const Primitives<T>& primitives, const BuildOptions& b
     tree_of_.push_back(entry->second);
     places_.emplace_back(copy.to_world, box, placed, rounding);
     if (placed.empty()) continue;
-    box_.include(placed);
     tests += half_area(placed) * trees_[entry->second]->expected_cost();
     items.push_back({rounded_out(placed), static_cast<std::int32_t>(places_.size() - 1), 0});
   }
@@ -115,7 +110,7 @@ MeshCopies<T>::MeshCopies(const Primitives<T>& primitives, const BuildOptions& b
   statistics_.references += over_copies_.item_count();
   statistics_.bytes += over_copies_.bytes() + places_.size() * (sizeof(CopyPlace) + sizeof(std::uint32_t));
   statistics_.depth += over_copies_.depth() + 1;
-  const double whole = half_area(box_);
+  const double whole = half_area(box());
   statistics_.expected_cost = over_copies_.expected_cost() + (whole > 0 ? tests / whole : 0);
 }
 

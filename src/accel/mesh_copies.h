@@ -7,11 +7,9 @@
 #include "accel/search_record.h"
 #include "accel/wide_search.h"
 
-#include <array>
 #include <bit>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <type_traits>
 #include <vector>
 
@@ -69,7 +67,7 @@ class MeshCopies {
   void list_nodes(std::vector<StructureNode>& nodes, std::size_t most) const { over_copies_.list_nodes(nodes, most); }
   /// A copy counts as a test, besides what its tree costs. The box is that of all copies.
   [[nodiscard]] AcceleratorStatistics statistics() const { return statistics_; }
-  [[nodiscard]] const Bounds<double>& box() const { return box_; }
+  [[nodiscard]] Bounds<double> box() const { return wide(over_copies_.box()); }
 
  private:
   template <class Query>
@@ -141,7 +139,6 @@ class MeshCopies {
   std::vector<std::uint32_t> tree_of_;                  ///< the same: index into `trees_`
   std::vector<std::shared_ptr<const WideTree>> trees_;  ///< by mesh
   WideTree over_copies_;
-  Bounds<double> box_;
   AcceleratorStatistics statistics_;
 };
 

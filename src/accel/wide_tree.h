@@ -6,8 +6,10 @@
 #include "accel/build_record.h"
 #include "math/bounds.h"
 
+#include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace raywalk {
@@ -68,7 +70,7 @@ struct alignas(64) TrianglePack {
 class WideTree {
  public:
   WideTree() = default;
-  /// Over items with finite, non-empty boxes. The packs' corners are left to the caller.
+  /// Over items with finite, non-empty boxes. The packs' corners are left to fill_packs.
   /// `corners`: see BinaryTree.
   explicit WideTree(std::vector<TreeItem> items, const BuildOptions& build = {}, const CornersOf& corners = {});
 
@@ -78,11 +80,15 @@ class WideTree {
   [[nodiscard]] const WideNode* nodes() const { return nodes_.data(); }
   [[nodiscard]] const TrianglePack& pack(std::uint32_t index) const { return packs_[index]; }
   [[nodiscard]] const std::int32_t* listed(std::uint32_t first) const { return &ids_[first]; }
-  [[nodiscard]] std::vector<TrianglePack>& packs() { return packs_; }
+  /// `corners(id)`: those of a triangle, in double; none where only its own test can rule it out.
+  template <class Corners>
+  void fill_packs(const Stop& stop, const Corners& corners);
 
   [[nodiscard]] std::size_t node_count() const { return nodes_.size(); }
   [[nodiscard]] std::size_t item_count() const { return items_; }
   [[nodiscard]] int depth() const { return depth_; }
+  /// The bounds of all.
+  [[nodiscard]] Bounds<float> box() const { return empty() ? Bounds<float>{} : nodes_.front().whole(); }
   /// As AcceleratorStatistics has it.
   [[nodiscard]] double expected_cost() const { return expected_cost_; }
   [[nodiscard]] std::size_t bytes() const {
@@ -102,5 +108,17 @@ class WideTree {
   int depth_ = 0;
   double expected_cost_ = 0;
 };
+
+template <class Corners>
+void WideTree::fill_packs(const Stop& stop, const Corners& corners) {
+  stop.each(packs_.begin(), packs_.end(), [&](TrianglePack& pack) {
+    for (std::size_t lane = 0; lane < tree_width; ++lane) {
+      constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+      const auto at = corners(pack.ids[lane]).value_or(std::array{Vec3d(nan), Vec3d(nan), Vec3d(nan)});
+      for (std::size_t corner = 0; corner < 3; ++corner)
+        for (int axis = 0; axis < 3; ++axis) pack.corners[corner][axis][lane] = static_cast<float>(at[corner][axis]);
+    }
+  });
+}
 
 }  // namespace raywalk

@@ -2,11 +2,10 @@
 
 #include "accel/mesh_copies.h"
 
-#include <cmath>
+#include <algorithm>
 
 #include "accel/accelerator.h"
 #include "accel/watched.h"
-#include "accel/width.h"
 #include "hostile.h"
 #include "meshes.h"
 #include "support/catch.h"
@@ -58,6 +57,21 @@ Primitives<T> shapes(double scale, const Vec3d& middle) {
   return all;
 }
 
+// The same primitives, the meshes stored and as copies.
+template <class T>
+struct BothWays {
+  Primitives<T> stored, copied;
+};
+template <class T>
+BothWays<T> both_ways(double scale, const Vec3d& middle, double stretch) {
+  BothWays<T> both{shapes<T>(scale, middle), shapes<T>(scale, middle)};
+  for (const Placed& each : placements(scale, middle, stretch)) {
+    both.stored.add(*each.mesh, each.at, false);
+    both.copied.add_copy(each.mesh, each.at, false);
+  }
+  return both;
+}
+
 }  // namespace
 
 TEMPLATE_TEST_CASE("copies answer as if they were stored", "[accel]", float, double) {
@@ -68,11 +82,7 @@ TEMPLATE_TEST_CASE("copies answer as if they were stored", "[accel]", float, dou
   const BuildQuality quality = GENERATE(BuildQuality::good, BuildQuality::best);
   CAPTURE(scale, shift, stretch, name_of(quality));
   const Vec3d middle = scale * shift * Vec3d(1, -2, 0.5);
-  Primitives<T> stored = shapes<T>(scale, middle), copied = stored;
-  for (const Placed& each : placements(scale, middle, stretch)) {
-    stored.add(*each.mesh, each.at, false);
-    copied.add_copy(each.mesh, each.at, false);
-  }
+  const auto [stored, copied] = both_ways<T>(scale, middle, stretch);
   REQUIRE(stored.size() == copied.size());
   REQUIRE(copied.own_size() == 2);
   const Accelerator<T> list(stored, AcceleratorKind::none),
@@ -81,40 +91,17 @@ TEMPLATE_TEST_CASE("copies answer as if they were stored", "[accel]", float, dou
   const std::vector<ShadowRole> roles{ShadowRole::filters, ShadowRole::ignored};
   std::vector<ShadowRole> all_roles = roles;
   all_roles.resize(static_cast<std::size_t>(stored.size()), ShadowRole::stops);
-  int differing = 0, hits = 0, of_copies = 0, exact = 0;
-  TestCounts brute;
-  std::vector<int> filters, expected_filters;
-  for (const Ray<T>& ray : hostile(stored, scale, middle, rounds(150))) {
-    const auto expected = list.closest(ray, infinity<T>, brute);
-    const bool stopped = list.occluded_or_filtered(ray, infinity<T>, brute, all_roles, expected_filters);
-    hits += expected.has_value(), of_copies += expected && expected->primitive >= 2;
-    for (const LaneWidth width : lane_widths()) {
-      const ForcedWidth forced(width);
-      TestCounts counts;
-      differing += !same(expected, tree.closest(ray, infinity<T>, counts));
-      differing += tree.occluded(ray, infinity<T>, counts) != expected.has_value();
-      if (expected) {
-        differing += tree.occluded(ray, expected->t, counts) != list.occluded(ray, expected->t, brute);
-        differing += !tree.occluded(ray, std::nextafter(expected->t, infinity<T>), counts);
-      }
-      differing += tree.occluded_or_filtered(ray, infinity<T>, counts, roles, filters) != stopped;
-      differing += !stopped && filters != expected_filters;
-      exact += counts.exactly_decided > 0;
-    }
-  }
-  CHECK(differing == 0);
-  CHECK(hits > rounds(50));
+  const Comparison found = compare(list, tree, hostile(stored, scale, middle, rounds(150)), all_roles, roles);
+  const auto of_copies = std::count_if(found.hit_ids.begin(), found.hit_ids.end(), [](int id) { return id >= 2; });
+  CHECK(found.differing == 0);
+  CHECK(static_cast<int>(found.hit_ids.size()) > rounds(50));
   CHECK(of_copies > rounds(20));
-  CHECK(exact > 0);
+  CHECK(found.exact > 0);
 }
 
 TEMPLATE_TEST_CASE("structures that know nothing of copies list their triangles", "[accel]", float, double) {
   using T = TestType;
-  Primitives<T> stored = shapes<T>(1, Vec3d(0.0)), copied = stored;
-  for (const Placed& each : placements(1, Vec3d(0.0), 1)) {
-    stored.add(*each.mesh, each.at, false);
-    copied.add_copy(each.mesh, each.at, false);
-  }
+  const auto [stored, copied] = both_ways<T>(1, Vec3d(0.0), 1);
   const AcceleratorKind kind = GENERATE(AcceleratorKind::none, AcceleratorKind::boxes, AcceleratorKind::grid,
                                         AcceleratorKind::octree, AcceleratorKind::kdtree);
   const Accelerator<T> list(stored, AcceleratorKind::none), other(copied, kind);
@@ -180,8 +167,7 @@ TEST_CASE("ten thousand copies take the memory of one, and a ray meets few of th
 }
 
 TEST_CASE("a watched search of copies finds what the search does, in boxes of the scene", "[accel]") {
-  Primitives<double> copied = shapes<double>(1, Vec3d(0.0));
-  for (const Placed& each : placements(1, Vec3d(0.0), 2)) copied.add_copy(each.mesh, each.at, false);
+  const Primitives<double> copied = both_ways<double>(1, Vec3d(0.0), 2).copied;
   const Accelerator<double> tree(copied);
   const WatchedAccelerator<double> watched(tree.primitives(), AcceleratorKind::bvh, 1000);
   CHECK(watched.statistics().nodes == tree.statistics().nodes);
@@ -209,11 +195,7 @@ TEST_CASE("a watched search of copies finds what the search does, in boxes of th
 
 TEMPLATE_TEST_CASE("naive rays find copies too, but for rounding", "[accel]", float, double) {
   using T = TestType;
-  Primitives<T> stored = shapes<T>(1, Vec3d(0.0)), copied = stored;
-  for (const Placed& each : placements(1, Vec3d(0.0), 1)) {
-    stored.add(*each.mesh, each.at, false);
-    copied.add_copy(each.mesh, each.at, false);
-  }
+  const auto [stored, copied] = both_ways<T>(1, Vec3d(0.0), 1);
   const Accelerator<T> list(stored, AcceleratorKind::none), tree(copied, AcceleratorKind::bvh);
   Numbers next(8);
   int differing = 0, hits = 0;

@@ -6,7 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "accel/query.h"
+#include "accel/accelerator.h"
+#include "accel/width.h"
 #include "shape/numbers.h"
 
 namespace raywalk::test {
@@ -54,6 +55,46 @@ std::vector<Ray<T>> hostile(const Primitives<T>& all, double scale, const Vec3d&
     rays.push_back(ray);
   }
   return rays;
+}
+
+struct Comparison {
+  int differing = 0;         // answers and, between widths, counts
+  int exact = 0;             // queries of some ray that exact arithmetic decided
+  std::vector<int> hit_ids;  // of the rays that hit something
+};
+
+// `tree`, at every width that the machine has, against `list`, which tests every primitive. `roles` are those for
+// `list`, `tree_roles` the same for `tree`, which may leave out what stops shadow rays at their end.
+template <class T>
+Comparison compare(const Accelerator<T>& list, const Accelerator<T>& tree, const std::vector<Ray<T>>& rays,
+                   const std::vector<ShadowRole>& roles, const std::vector<ShadowRole>& tree_roles) {
+  Comparison all;
+  TestCounts brute;
+  std::vector<int> filters, expected_filters;
+  for (const Ray<T>& ray : rays) {
+    const auto expected = list.closest(ray, infinity<T>, brute);
+    const bool stopped = list.occluded_or_filtered(ray, infinity<T>, brute, roles, expected_filters);
+    if (expected) all.hit_ids.push_back(expected->primitive);
+    std::optional<TestCounts> first;
+    for (const LaneWidth width : lane_widths()) {
+      const ForcedWidth forced(width);
+      TestCounts counts;
+      all.differing += !same(expected, tree.closest(ray, infinity<T>, counts));
+      all.differing += tree.occluded(ray, infinity<T>, counts) != expected.has_value();
+      // A reach that ends exactly at the hit must not report it; one just beyond must.
+      if (expected) {
+        all.differing += tree.occluded(ray, expected->t, counts) != list.occluded(ray, expected->t, brute);
+        all.differing += !tree.occluded(ray, std::nextafter(expected->t, infinity<T>), counts);
+      }
+      all.differing += tree.occluded_or_filtered(ray, infinity<T>, counts, tree_roles, filters) != stopped;
+      all.differing += !stopped && filters != expected_filters;
+      all.exact += counts.exactly_decided > 0;
+      if (!first) first = counts;
+      all.differing += counts.nodes != first->nodes || counts.primitives != first->primitives ||
+                       counts.exactly_decided != first->exactly_decided;
+    }
+  }
+  return all;
 }
 
 }  // namespace raywalk::test

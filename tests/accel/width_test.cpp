@@ -66,35 +66,10 @@ TEMPLATE_TEST_CASE("every width and quality answers as brute force does, and wid
   const Accelerator<T> list(all, AcceleratorKind::none), tree(all, AcceleratorKind::bvh, {.quality = quality});
   std::vector<ShadowRole> roles(static_cast<std::size_t>(all.size()), ShadowRole::filters);
   for (std::size_t i = 0; i < roles.size(); i += 5) roles[i] = i % 2 ? ShadowRole::stops : ShadowRole::ignored;
-  int differing = 0, hits = 0, exact = 0;
-  TestCounts brute;
-  std::vector<int> filters, expected_filters;
-  for (const Ray<T>& ray : hostile(all, scale, middle, rounds(250))) {
-    const auto expected = list.closest(ray, infinity<T>, brute);
-    const bool stopped = list.occluded_or_filtered(ray, infinity<T>, brute, roles, expected_filters);
-    hits += expected.has_value();
-    std::optional<TestCounts> first;
-    for (const LaneWidth width : lane_widths()) {
-      const ForcedWidth forced(width);
-      TestCounts counts;
-      differing += !same(expected, tree.closest(ray, infinity<T>, counts));
-      differing += tree.occluded(ray, infinity<T>, counts) != expected.has_value();
-      // A reach that ends exactly at the hit must not report it; one just beyond must.
-      if (expected) {
-        differing += tree.occluded(ray, expected->t, counts) != list.occluded(ray, expected->t, brute);
-        differing += !tree.occluded(ray, std::nextafter(expected->t, infinity<T>), counts);
-      }
-      differing += tree.occluded_or_filtered(ray, infinity<T>, counts, roles, filters) != stopped;
-      differing += !stopped && filters != expected_filters;
-      exact += counts.exactly_decided > 0;
-      if (!first) first = counts;
-      differing += counts.nodes != first->nodes || counts.primitives != first->primitives ||
-                   counts.exactly_decided != first->exactly_decided;
-    }
-  }
-  CHECK(differing == 0);
-  CHECK(hits > rounds(80));
-  CHECK(exact > rounds(8));
+  const Comparison found = compare(list, tree, hostile(all, scale, middle, rounds(250)), roles, roles);
+  CHECK(found.differing == 0);
+  CHECK(static_cast<int>(found.hit_ids.size()) > rounds(80));
+  CHECK(found.exact > rounds(8));
 }
 
 TEMPLATE_TEST_CASE("packs rule out most triangles, and count them", "[accel]", float, double) {
