@@ -41,14 +41,14 @@ class Loader {
   Result<void> load(std::vector<Object>& objects) {
     for (Object& object : objects) {
       if (object.material.texture) {
-        const auto pixels = pixels_of(object);
+        const auto pixels = pixels_of(object, object.material.texture->file, Use::texture);
         if (!pixels) return tl::unexpected(pixels.error());
         object.material.texture->pixels = *pixels;
       }
       std::optional<Error> failure;
       each_map(object.material, [&](MapImage& map, bool colour) {
         if (failure || map.file.empty()) return;
-        auto pixels = map_of(object, map.file, colour ? ByteMeaning::colour : ByteMeaning::number);
+        auto pixels = pixels_of(object, map.file, colour ? Use::map_of_colours : Use::map_of_numbers);
         if (pixels)
           map.pixels = *pixels;
         else
@@ -68,35 +68,27 @@ class Loader {
   using Pixels = std::shared_ptr<const Image>;
   using Content = std::shared_ptr<const GroupContent>;
 
-  Result<Pixels> pixels_of(const Object& object) {
-    const std::string path = (std::filesystem::path(folder_) / object.material.texture->file).string();
-    Pixels& pixels = pixels_[detail::one_name(path)];
-    if (pixels) return pixels;
-    const auto bytes = read_file(path, max_bytes);
-    auto decoded = bytes ? decode_png_or_jpeg(*bytes, path) : tl::unexpected(bytes.error());
-    if (!decoded) {
-      Error error = decoded.error();
-      error.hint =
-          fmt::format("it is the texture of \"{}\", looked for from the scene's folder; {}", object.name, error.hint);
-      return tl::unexpected(error);
-    }
-    return pixels = std::make_shared<const Image>(std::move(*decoded));
+  enum class Use { texture, map_of_colours, map_of_numbers };
+
+  static Result<Image> decoded_for(Use use, const std::string& bytes, const std::string& path) {
+    if (use == Use::texture) return decode_png_or_jpeg(bytes, path);
+    auto map = decode_map(bytes, path, use == Use::map_of_colours ? ByteMeaning::colour : ByteMeaning::number);
+    if (!map) return map;
+    if (const std::string why = why_no_map(*map); !why.empty())
+      return tl::unexpected(Error{path, 0, 0, why, "paint it over, or write it again"});
+    return map;
   }
 
-  Result<Pixels> map_of(const Object& object, const std::string& file, ByteMeaning meaning) {
+  Result<Pixels> pixels_of(const Object& object, const std::string& file, Use use) {
     const std::string path = (std::filesystem::path(folder_) / file).string();
-    Pixels& pixels = maps_[{detail::one_name(path), meaning}];
+    Pixels& pixels = pixels_[{detail::one_name(path), use}];
     if (pixels) return pixels;
     const auto bytes = read_file(path, max_bytes);
-    auto decoded = bytes ? decode_map(*bytes, path, meaning) : tl::unexpected(bytes.error());
-    if (decoded) {
-      if (const std::string why = why_no_map(*decoded); !why.empty())
-        decoded = tl::unexpected(Error{path, 0, 0, why, "paint it over, or write it again"});
-    }
+    auto decoded = bytes ? decoded_for(use, *bytes, path) : tl::unexpected(bytes.error());
     if (!decoded) {
       Error error = decoded.error();
-      error.hint =
-          fmt::format("it is a map of \"{}\", looked for from the scene's folder; {}", object.name, error.hint);
+      error.hint = fmt::format("it is {} of \"{}\", looked for from the scene's folder; {}",
+                               use == Use::texture ? "the texture" : "a map", object.name, error.hint);
       return tl::unexpected(error);
     }
     return pixels = std::make_shared<const Image>(std::move(*decoded));
@@ -119,8 +111,7 @@ class Loader {
   }
 
   std::string folder_;
-  std::map<std::string, Pixels> pixels_;                        ///< by file
-  std::map<std::pair<std::string, ByteMeaning>, Pixels> maps_;  ///< the same
+  std::map<std::pair<std::string, Use>, Pixels> pixels_;  ///< by file
   std::map<Content, Content> contents_;
 };
 

@@ -1,21 +1,14 @@
 #include "trace/surface_maps.h"
 
-#include "math/sampling.h"
+#include "trace/lobe_width.h"
 #include "trace/texture.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace raywalk {
 
 namespace {
-
-/// 1 - cos of half an angle in degrees.
-template <class T>
-T lobe_of(double degrees) {
-  return static_cast<T>(one_minus_cos_of(degrees * (std::numbers::pi / 180)));
-}
 
 /// The least and the most of a channel.
 std::pair<float, float> range_of(const Image& image, int channel) {
@@ -159,10 +152,10 @@ auto SurfaceMaps<T>::Layer::at(const Vec2<T>& uv) const -> MappedValues<T> {
         values.roughness = std::min(values.roughness * map.number(uv), T(1));
         break;
       case MappedParameter::gloss:
-        values.gloss = lobe_of<T>(std::min(gloss * static_cast<double>(map.number(uv)), 90.0));
+        values.gloss = lobe_width<T>(std::min(gloss * static_cast<double>(map.number(uv)), 90.0));
         break;
       case MappedParameter::translucency:
-        values.translucency = lobe_of<T>(std::min(translucency * static_cast<double>(map.number(uv)), 90.0));
+        values.translucency = lobe_width<T>(std::min(translucency * static_cast<double>(map.number(uv)), 90.0));
         break;
       case MappedParameter::emission:
         values.emission *= map.colour(uv);

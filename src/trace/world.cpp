@@ -1,11 +1,11 @@
 #include "trace/world.h"
 
 #include "scene/copied_meshes.h"
+#include "trace/lobe_width.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <type_traits>
 #include <unordered_map>
 #include <utility>
@@ -13,14 +13,6 @@
 namespace raywalk {
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
-
-/// 1 - cos of half an angle in degrees.
-template <class T>
-T lobe(double degrees) {
-  return static_cast<T>(one_minus_cos_of(degrees * degree));
-}
 
 template <class T>
 typename World<T>::Surface surface_of(const Material& m, Integrator integrator, const EffectSwitches& on,
@@ -54,8 +46,8 @@ typename World<T>::Surface surface_of(const Material& m, Integrator integrator, 
   }
   surface.filter = surface.transmission;
   if (has_extents(integrator)) {
-    surface.gloss = lobe<T>(m.gloss);
-    surface.translucency = lobe<T>(m.translucency);
+    surface.gloss = lobe_width<T>(m.gloss);
+    surface.translucency = lobe_width<T>(m.translucency);
   }
   const bool follows = traits_of(integrator).is_recursive;
   if (!follows || !on.reflection) surface.reflection = Rgb<T>(0);
