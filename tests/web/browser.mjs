@@ -117,6 +117,14 @@ export class Visit {
   settled() {
     return this.until(() => true);
   }
+  // Waits until no frame has been drawn for half a second.
+  async rests() {
+    let frames = -1, since = 0;
+    await this.until((now) => {
+      if (now.window.frames !== frames) [frames, since] = [now.window.frames, Date.now()];
+      return Date.now() - since > 500;
+    }, 'it rests');
+  }
   // Touches with these fingers, each its [x, y]: touchstart, touchmove or touchend. A browser's own way where it has one.
   async touch(type, ...points) {
     if (!is_firefox) {

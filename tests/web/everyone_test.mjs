@@ -153,6 +153,9 @@ test('lesson 1 by keys alone, and Tab leads out of everything', async () => {
   await page.close();
 });
 
+// In the page: whether the lesson has a guess by now.
+const can_reveal = () => !/"key":"answer"[^}]*"enabled":false/.test(window.raywalk.ccall('page_outline', 'string'));
+
 const middle = ([x, y, width, height]) => [x + width / 2, y + height / 2];
 
 // At a desk from the list of lessons; on a telephone, upright, from a link that a teacher has sent.
@@ -200,8 +203,10 @@ for (const [name, size, more] of [['at a desk', { hasTouch: true }], ['on a tele
     await visit.until((now) => lesson_1(now).step === 5);
     await tap('lesson-number');
     assert.equal(await page.evaluate(() => document.activeElement.id), 'keyboard');
+    await visit.rests(); // a student thinks first: nothing but the letters has the field drawn
     await page.keyboard.sendCharacter('2');
     await page.keyboard.sendCharacter('1');
+    assert.ok(await page.evaluate(can_reveal), 'letters are in the field as soon as they are typed');
     await look(5);
     await tap('lesson-reveal');
     await visit.until((now) => lesson_1(now).revealed);

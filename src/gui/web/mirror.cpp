@@ -35,9 +35,6 @@ EMSCRIPTEN_KEEPALIVE bool page_types() { return ImGui::GetIO().WantTextInput; }
 /// An action in the words of demo files.
 EMSCRIPTEN_KEEPALIVE void page_act(const char* line) { page_do(line, ""); }
 
-/// What the system's keyboard has written.
-EMSCRIPTEN_KEEPALIVE void page_type(const char* text) { ImGui::GetIO().AddInputCharactersUTF8(text); }
-
 /// Turns the wheel, also by parts of a step.
 EMSCRIPTEN_KEEPALIVE void page_wheel(double by) { ImGui::GetIO().MouseWheel += static_cast<float>(by); }
 

@@ -243,7 +243,8 @@ canvas.before(header, main);
 main.append(canvas, Object.assign(document.createElement('div'), { id: 'mirror', hidden: true }));
 const as_text = document.getElementById('as-text'), text_place = document.getElementById('mirror');
 text_place.innerHTML = '<h1 tabindex="-1"></h1><button type="button" class="leave"></button><div class="outline"></div>';
-const keyboard = new Keyboard(canvas, { type: (text) => { call('page_type', text); soon(); } });
+// Drawn at once: letters that wait for a frame are lost if a finger leaves the field before it.
+const keyboard = new Keyboard(canvas, { settle: () => running && turn() });
 new Touch(canvas, {
   first: () => running && call('page_act', 'touch on'),
   holds: (x, y) => running && program._page_holds(x, y),

@@ -106,7 +106,7 @@ class Keyboard {
   // Something to delete, for a system's keyboard says nothing of a key that has nothing to do.
   static something = '\u200b\u200b';
 
-  constructor(canvas, { type }) {
+  constructor(canvas, { settle }) {
     this.canvas = canvas;
     this.field = Object.assign(document.createElement('input'), { type: 'text', id: 'keyboard', autocomplete: 'off', tabIndex: -1 });
     this.field.setAttribute('autocapitalize', 'off');
@@ -114,16 +114,23 @@ class Keyboard {
     this.reset();
     this.field.addEventListener('input', ({ inputType }) => {
       if (inputType.startsWith('delete')) this.key(8, 'Backspace');
-      else type(this.field.value.replaceAll('\u200b', ''));
+      else this.type(this.field.value.replaceAll('\u200b', ''));
       this.reset();
+      settle();
     });
   }
   reset() {
     this.field.value = Keyboard.something;
     this.field.setSelectionRange(2, 2);
   }
+  send(type, more) {
+    this.canvas.dispatchEvent(new KeyboardEvent(type, { ...more, bubbles: true, cancelable: true }));
+  }
   key(keyCode, key) {
-    for (const type of ['keydown', 'keyup']) this.canvas.dispatchEvent(new KeyboardEvent(type, { key, keyCode, bubbles: true, cancelable: true }));
+    for (const type of ['keydown', 'keyup']) this.send(type, { key, keyCode });
+  }
+  type(text) {
+    for (const letter of text) this.send('keypress', { key: letter, charCode: letter.codePointAt(0) });
   }
   // In the event of a finger: later a browser would not show it.
   show(wanted) {
