@@ -202,6 +202,7 @@ function soon() {
 }
 
 function turn() {
+  cancelAnimationFrame(frame); // a turn out of its turn takes the place of the next
   frame = 0;
   clearTimeout(timer);
   try {
