@@ -16,7 +16,7 @@ const megabytes = (bytes) => `${(bytes / 1e6).toFixed(2)} MB`;
 print('raywalk.html, gzipped', megabytes(gzipSync(readFileSync(join(site, 'raywalk.html')), { level: 9 }).length), '2.00');
 // What a visit fetches: not the one file, the example, nor the code in letters.
 const parts = readdirSync(site, { recursive: true })
-  .filter((name) => /\.(html|js|wasm|css|svg|webmanifest)$/.test(name) && !/raywalk\.html|course\.html|code\.js/.test(name));
+  .filter((name) => /\.(html|js|bin|css|svg|webmanifest)$/.test(name) && !/raywalk\.html|course\.html|code\.js/.test(name));
 print('the site, by brotli', megabytes(parts.reduce((sum, name) => sum + brotliCompressSync(readFileSync(join(site, name))).length, 0)), '1.50');
 
 const browser = await open_browser(), server = await serve();

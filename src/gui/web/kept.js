@@ -5,14 +5,19 @@
 const version = 'VERSION';
 const files = [];
 const own = `raywalk ${version}`;
+importScripts(version + '/unpack.js');
 
-// All of them or none: a page that was changed on its host meanwhile is not this version.
+// All of them or none: a page that was changed on its host meanwhile is not this version. The program is kept unpacked, for
+// its browser to compile without a detour.
 async function keep() {
   const cache = await caches.open(own);
   try {
     await cache.addAll(files.map((file) => new Request(file, { cache: 'reload' })));
     const page = await (await cache.match('./')).text();
     if (!page.includes(version)) throw new Error('the host has another version by now');
+    const packed = await fetch(version + '/raywalk.bin', { cache: 'reload' });
+    if (!packed.ok) throw new Error('the program is missing');
+    await cache.put(version + '/raywalk.wasm', await unpacked(packed.body));
   } catch (why) {
     await caches.delete(own);
     throw why;

@@ -5,7 +5,7 @@
 // two versions: not while a new one is copied to the host, and not in a browser that keeps some of the old.
 import { spawnSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
-import { copyFileSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { copyFileSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -26,7 +26,7 @@ const read = (folder, name) => {
 };
 
 // What the page runs, in this order, behind the program.
-const scripts = ['embed.js', 'offline.js', 'workers.js', 'mirror.js', 'touch.js', 'page.js'];
+const scripts = ['embed.js', 'offline.js', 'workers.js', 'mirror.js', 'touch.js', 'unpack.js', 'page.js'];
 
 // What is said before the program is there: the table [page] of each language.
 function page_words(toml) {
@@ -48,25 +48,31 @@ function page(more_policy, head, rest) {
 }
 
 const sha256 = (...parts) => parts.reduce((hash, part) => hash.update(part), createHash('sha256'));
-// Zopfli searches longer than gzip for what it writes in the same format: a twenty-eighth less to wait for.
-const zopfli = spawnSync('zopfli', ['-c', '--i5', join(build, 'raywalk.wasm')], { maxBuffer: 1 << 28 });
-if (zopfli.status !== 0) throw new Error(`zopfli could not pack the page: ${zopfli.error ?? zopfli.stderr}`);
-const packed = zopfli.stdout.toString('base64');
+// The program's code, packed for the way: LZMA sees all of it, where what hosts and browsers know looks 32 KiB back, and
+// unpack.js brings along what unpacks it. Its file, a .lzma, says how large it was. It is named .bin, for a kind that every
+// host knows.
+const xz = spawnSync('xz', ['-c', '--format=lzma', '--lzma1=preset=9e,lc=4,pb=0,dict=16MiB', join(build, 'raywalk.wasm')],
+  { maxBuffer: 1 << 28 });
+if (xz.status !== 0) throw new Error(`xz could not pack the page: ${xz.error ?? xz.stderr}`);
+const packed = xz.stdout;
+packed.writeBigUInt64LE(BigInt(statSync(join(build, 'raywalk.wasm')).size), 5);
+const letters = packed.toString('base64');
+const unpacker = readFileSync(join(build, 'unpack.wasm'), 'base64');
+const script = (name) => name === 'raywalk.js' ? read(build, name) :
+  read(here, name).replace('"UNPACKER"', () => JSON.stringify(unpacker));
 
 rmSync(site, { recursive: true, force: true });
 
 // --- The site --------------------------------------------------------------------------------------------------------
 
-const parts = [[build, 'raywalk.js'], [build, 'raywalk.wasm'], [here, 'page.css'], [here, 'worker.js'],
-  ...scripts.map((name) => [here, name])];
-const content = ([folder, name]) => name.endsWith('.js') ? read(folder, name) : readFileSync(join(folder, name));
-const version = sha256(...parts.map(content), JSON.stringify(words))
-  .digest('hex').slice(0, 16);
+const parts = new Map([['raywalk.bin', packed], ['page.css', read(here, 'page.css')],
+  ...['raywalk.js', 'worker.js', ...scripts].map((name) => [name, script(name)])]);
+const version = sha256(...parts.values(), JSON.stringify(words)).digest('hex').slice(0, 16);
 const own = join(site, version);
 mkdirSync(own, { recursive: true });
-for (const part of parts) writeFileSync(join(own, part[1]), content(part));
+for (const [name, content] of parts) writeFileSync(join(own, name), content);
 // For where a page may run scripts but fetch nothing: a frame without an origin, or a folder of a disk.
-writeFileSync(join(own, 'code.js'), `self.raywalk_code = '${packed}';\n`);
+writeFileSync(join(own, 'code.js'), `self.raywalk_code = '${letters}';\n`);
 writeFileSync(join(site, 'index.html'), page(
   ["script-src 'self' 'wasm-unsafe-eval'", "style-src 'self'", "img-src 'self' blob: data:", "connect-src 'self'",
     "worker-src 'self'", "manifest-src 'self'"],
@@ -76,14 +82,14 @@ writeFileSync(join(site, 'index.html'), page(
 copyFileSync(join(here, 'icon.svg'), join(site, 'icon.svg'));
 copyFileSync(join(here, 'manifest.webmanifest'), join(site, 'manifest.webmanifest'));
 copyFileSync(join(here, 'course.html'), join(site, 'course.html'));
-const kept = ['./', 'icon.svg', 'manifest.webmanifest', ...parts.map(([, name]) => `${version}/${name}`)];
+const kept = ['./', 'icon.svg', 'manifest.webmanifest', ...[...parts.keys()].filter((name) => name !== 'raywalk.bin').map((name) => `${version}/${name}`)];
 writeFileSync(join(site, 'kept.js'), read(here, 'kept.js')
   .replace('"VERSION"', () => JSON.stringify(version)).replace('[]', () => JSON.stringify(kept)));
 
 // --- The one file ------------------------------------------------------------------------------------------------------
 
-const inline = ['raywalk.js', ...scripts].map((name) => read(name === 'raywalk.js' ? build : here, name));
-const style = read(here, 'page.css'), worker = read(here, 'worker.js');
+const inline = ['raywalk.js', ...scripts].map(script);
+const style = read(here, 'page.css'), worker = script('worker.js');
 for (const text of [...inline, worker])
   if (text.includes('</script')) throw new Error('this script cannot stand in a page');
 const hashes = inline.map((text) => `'sha256-${sha256(text).digest('base64')}'`);
@@ -91,5 +97,5 @@ writeFileSync(join(site, 'raywalk.html'), page(
   [`script-src ${hashes.join(' ')} 'wasm-unsafe-eval'`, `style-src 'sha256-${sha256(style).digest('base64')}'`,
     'img-src blob: data:', 'worker-src blob:'],
   ['<link rel="icon" href="data:,">', `<style>${style}</style>`],
-  [`<script type="text/plain" id="code">${packed}</script>`, `<script type="text/plain" id="worker">${worker}</script>`,
+  [`<script type="text/plain" id="code">${letters}</script>`, `<script type="text/plain" id="worker">${worker}</script>`,
     ...inline.map((text, i) => `<script${i === 0 ? ' id="program"' : ''}>${text}</script>`)]));

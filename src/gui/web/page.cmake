@@ -1,4 +1,4 @@
-# The page: raywalk.js and raywalk.wasm, which holds all data too, and what pack.mjs makes of them.
+# The page: raywalk.js and raywalk.wasm, which holds all data too, unpack.wasm, and what pack.mjs makes of them.
 set(page "${CMAKE_SOURCE_DIR}/src/gui/web")
 
 # Searches that a person watches, tracers that are wrong on purpose, and what is made once of a scene need not be fast
@@ -108,10 +108,22 @@ add_custom_command(TARGET raywalk POST_BUILD COMMAND "${RAYWALK_NODE}" "${page}/
   "${CMAKE_SOURCE_DIR}/build/emscripten/binaryen/bin/wasm-opt" VERBATIM)
 set_property(TARGET raywalk APPEND PROPERTY LINK_DEPENDS "${page}/order.mjs")
 
+# A module of its own (unpack.cpp), without imports: it takes the memory that it needs itself.
+find_path(RAYWALK_lzmadec_INCLUDE NAMES LzmaDec.h REQUIRED)
+find_library(RAYWALK_lzmadec_LIBRARY NAMES lzmadec REQUIRED)
+mark_as_advanced(RAYWALK_lzmadec_INCLUDE RAYWALK_lzmadec_LIBRARY)
+add_executable(unpack "${page}/unpack.cpp")
+set_target_properties(unpack PROPERTIES SUFFIX .wasm)
+target_include_directories(unpack SYSTEM PRIVATE "${RAYWALK_lzmadec_INCLUDE}")
+target_link_libraries(unpack PRIVATE raywalk_flags "${RAYWALK_lzmadec_LIBRARY}")
+target_compile_options(unpack PRIVATE -Oz)
+target_link_options(unpack PRIVATE -Oz -sSTANDALONE_WASM --no-entry -sSTACK_SIZE=16KB -sINITIAL_MEMORY=192KB
+  -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=128MB)
+
 file(GLOB page_parts CONFIGURE_DEPENDS "${page}/*.html" "${page}/*.css" "${page}/*.js" "${page}/*.svg" "${page}/*.webmanifest")
 add_custom_command(
   OUTPUT "${CMAKE_BINARY_DIR}/site/raywalk.html"
   COMMAND "${RAYWALK_NODE}" "${page}/pack.mjs" "${CMAKE_BINARY_DIR}" "${CMAKE_BINARY_DIR}/site"
-  DEPENDS raywalk "${page}/pack.mjs" ${page_parts} ${texts}
+  DEPENDS raywalk unpack "${page}/pack.mjs" ${page_parts} ${texts}
   VERBATIM)
 add_custom_target(site ALL DEPENDS "${CMAKE_BINARY_DIR}/site/raywalk.html")

@@ -382,22 +382,22 @@ const embedding = asked.has('embed') ? new Embedding(asked.get('embed'), {
 const with_simd = new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0,
   253, 15, 253, 98, 11]);
 
-// The program, compiled: for this page and for its workers. Its code stands in letters, packed, in this file, or where
-// nothing may be fetched in a script beside this one.
+// The program, compiled: for this page and for its workers. Its code is fetched packed; it stands in letters in this file,
+// or where nothing may be fetched in a script beside this one.
 async function compiled() {
   if (!document.getElementById('code') && self.origin === 'null')
     await new Promise((loaded, refused) => document.head.append(Object.assign(document.createElement('script'),
       { src: own_folder + 'code.js', onload: loaded, onerror: () => refused(new Error('code.js is missing')) })));
   const letters = document.getElementById('code')?.textContent ?? self.raywalk_code;
-  if (!letters) {
-    const answer = await fetch(own_folder + 'raywalk.wasm');
-    if (!answer.ok) throw new Error(`raywalk.wasm: ${answer.status} ${answer.statusText}`);
-    if (answer.headers.get('content-type') === 'application/wasm') return WebAssembly.compileStreaming(answer);
-    return WebAssembly.compile(await answer.arrayBuffer());
+  if (!letters && navigator.serviceWorker?.controller) {
+    const kept = await fetch(own_folder + 'raywalk.wasm'); // of the service worker, which has unpacked it
+    if (kept.ok) return WebAssembly.compileStreaming(kept);
   }
-  const packed = Uint8Array.from(atob(letters), (letter) => letter.charCodeAt(0));
-  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'));
-  return WebAssembly.compile(await new Response(stream).arrayBuffer());
+  const packed = letters ? new Response(bytes_of(letters)) : await fetch(own_folder + 'raywalk.bin');
+  if (!packed.ok) throw new Error(`raywalk.bin: ${packed.status} ${packed.statusText}`);
+  let wrong = null;
+  const code = await unpacked(packed.body, (why) => { wrong = why; });
+  return WebAssembly.compileStreaming(code).catch((why) => { throw wrong ?? why; });
 }
 
 async function start() {
