@@ -17,7 +17,9 @@ print('raywalk.html, gzipped', megabytes(gzipSync(readFileSync(join(site, 'raywa
 // What a visit fetches: not the one file, the example, nor the code in letters.
 const parts = readdirSync(site, { recursive: true })
   .filter((name) => /\.(html|js|bin|css|svg|webmanifest)$/.test(name) && !/raywalk\.html|course\.html|code\.js/.test(name));
-print('the site, by brotli', megabytes(parts.reduce((sum, name) => sum + brotliCompressSync(readFileSync(join(site, name))).length, 0)), '1.50');
+const sum_of = (size) => megabytes(parts.reduce((sum, name) => sum + size(readFileSync(join(site, name))).length, 0));
+print('the site, by brotli', sum_of(brotliCompressSync), '1.50');
+print('the site, packed by no host', sum_of((bytes) => bytes), '');
 
 const browser = await open_browser(), server = await serve();
 const ready = () => performance.getEntriesByName('ready')[0]?.startTime;
