@@ -78,12 +78,12 @@ std::string structures_text(const Scene& scene, const World<double>& chosen) {
 /// "distributed, 16 samples per pixel, jittered".
 std::string render_text(const Scene& scene) {
   const RenderChoices& choices = scene.render;
-  const bool flat = traits_of(choices.integrator).is_flat;
-  const bool chosen = choices.integrator != Integrator::automatic && !flat;
-  std::string text(name_of(integrator_of(scene, choices.samples)));
+  const Integrator taken = integrator_of(scene, choices.samples);
+  const bool chosen = taken == choices.integrator;
+  std::string text(name_of(taken));
   text += chosen ? "" : ", as what it holds calls for";
   if (choices.samples > 1) text += fmt::format(", {} samples a pixel, {}", choices.samples, name_of(choices.sampler));
-  if (flat) text += fmt::format("; {} in the plan", name_of(choices.integrator));
+  if (!chosen && choices.integrator == Integrator::beams) text += "; beams in the plan";
   if (choices.integrator == Integrator::path && choices.path_length)
     text += fmt::format(", at most {} a path", count_of(static_cast<std::size_t>(*choices.path_length), "ray"));
   if (choices.integrator == Integrator::photons) {

@@ -3,6 +3,7 @@
 
 #include "app/arguments.h"
 #include "app/console.h"
+#include "app/drawing.h"
 #include "image/image_file.h"
 #include "math/words.h"
 #include "text/error.h"
@@ -94,11 +95,12 @@ CLI::Option* add_file(CLI::App& command, const std::string& name, Target& target
   return add_value(command, name, target, parse, complain, type, help);
 }
 
-/// The option -o of a picture, whose ending says its format.
+/// The option -o of a picture, whose ending says its format; `or_drawing`: it may be a drawing, too.
 template <class Target>
-CLI::Option* add_image(CLI::App& command, Target& target, const std::string& help) {
-  const auto ending = [](const std::string& path) {
-    if (const auto format = image_format_of(path); !format) throw RefusedValue("--output", format.error());
+CLI::Option* add_image(CLI::App& command, Target& target, const std::string& help, bool or_drawing = false) {
+  const auto ending = [=](const std::string& path) {
+    if (const auto format = image_format_of(path); !format && !(or_drawing && is_drawing(path)))
+      throw RefusedValue("--output", format.error());
     return std::string();
   };
   return add_file(command, "-o,--output", target, "IMAGE", help)->check(CLI::Validator(ending, "", "ending"));

@@ -85,7 +85,9 @@ void declare_render(CLI::App& program, Run& run) {
   const auto options = std::make_shared<RenderOptions>();
   RenderOptions& to = *options;
   command.add_option("SCENE", to.scene, scene_help)->required()->type_name("");
-  add_image(command, to.image, "The picture: .png (8-bit), or .pfm and .exr (linear float)")->required();
+  add_image(command, to.image,
+            "The picture: .png (8-bit), .pfm or .exr (linear float); with --integrator beams also .svg, polygons", true)
+      ->required();
   add_size(command, to.size);
   constexpr int max_threads = 1024;
   add_integrator(command, to.integrator, to.path_length);
@@ -131,6 +133,7 @@ void declare_render(CLI::App& program, Run& run) {
       "  raywalk render scenes/classic.toml -o classic.png\n"
       "  raywalk render classic -o large.png --size 1921x1081 --spp 16\n"
       "  raywalk render classic -o classic.pfm --precision float --stats classic.json\n"
+      "  raywalk render classic -o classic.svg --integrator beams\n"
       "  raywalk render cornell -o cornell.exr --part 3/7   (and 1/7 to 7/7 elsewhere, then raywalk merge)");
   command.callback([options, &run] { run = [options] { return render_command(*options); }; });
 }

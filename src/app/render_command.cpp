@@ -1,5 +1,6 @@
 #include "app/render_command.h"
 
+#include "app/drawing.h"
 #include "app/idle_options.h"
 #include "app/interrupt.h"
 #include "app/part_file.h"
@@ -8,6 +9,7 @@
 #include "app/statistics_json.h"
 #include "image/image_file.h"
 #include "image/quick_image.h"
+#include "scene/beam_limits.h"
 #include "scene/cone_limits.h"
 #include "scene/warnings.h"
 #include "text/file.h"
@@ -140,9 +142,6 @@ ExitCode fail_if_not_finite(const std::string& image, std::size_t pixels, std::u
 }
 
 ExitCode render_command(const RenderOptions& options) {
-  if (options.integrator && traits_of(*options.integrator).is_flat)
-    return fail({"", 0, 0, "beams are walked in the plan, and make no picture (expected another integrator)",
-                 "raywalk step SCENE --integrator beams walks them; --integrator distributed --spp 64 takes samples"});
   const auto load_start = Clock::now();
   // Warnings are not errors: the picture is the requested one.
   auto document = load_scene(options.scene, options.quiet ? SceneWarnings::kept : SceneWarnings::said);
@@ -152,9 +151,12 @@ ExitCode render_command(const RenderOptions& options) {
   scene.limits.threshold = options.threshold.value_or(scene.limits.threshold);
   RenderChoices& choices = scene.render;
   choices.integrator = options.integrator.value_or(choices.integrator);
+  const std::string samples_instead = "--integrator distributed --spp 64 takes samples instead";
   if (const std::string why = why_no_cones(scene); choices.integrator == Integrator::cones && !why.empty())
-    return fail({scene_path(options.scene), 0, 0, "cones cannot be followed here: " + why,
-                 "--integrator distributed --spp 64 takes samples instead"});
+    return fail({scene_path(options.scene), 0, 0, "cones cannot be followed here: " + why, samples_instead});
+  // A scene that is walked by beams in the plan may have a picture of rays.
+  if (const std::string why = why_no_space_beams(scene); options.integrator == Integrator::beams && !why.empty())
+    return fail({scene_path(options.scene), 0, 0, "beams cannot be followed here: " + why, samples_instead});
   choices.samples = options.corner_samples ? 1 : options.samples.value_or(choices.samples);
   choices.sampler = options.sampler.value_or(choices.sampler);
   choices.numerics = options.numerics.value_or(choices.numerics);
@@ -168,6 +170,7 @@ ExitCode render_command(const RenderOptions& options) {
       scene_path(options.scene), options.image, size, sampling, choices, scene.limits, options.precision,
       seconds_since(load_start)};
   if (const auto error = why_too_large(size)) return refuse(*error);
+  if (is_drawing(options.image)) return render_drawing(options, scene, size);
   const std::string image = options.share ? part_path(options.image, *options.share) : options.image;
   if (const auto claimed = claim_output(image); !claimed) return fail(claimed.error());
   PicturePart part;

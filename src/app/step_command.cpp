@@ -2,6 +2,7 @@
 
 #include "app/scene_lookup.h"
 #include "app/texts.h"
+#include "scene/beam_limits.h"
 #include "scene/cone_limits.h"
 #include "timeline/recorder.h"
 #include "trace/outlines.h"
@@ -68,11 +69,11 @@ Timeline record(const StepOptions& options, const Scene& scene, ImageSize size) 
 
 /// Why beams that are asked for cannot be walked.
 std::optional<Error> why_no_beam(const StepOptions& options, const Scene& scene) {
-  if (!traits_of(scene.render.integrator).is_flat) return std::nullopt;
-  const std::string why = why_no_beams(scene), hint = "--integrator whitted walks rays";
+  if (scene.render.integrator != Integrator::beams) return std::nullopt;
+  const bool in_space = options.pixel && std::holds_alternative<ImagePixel>(*options.pixel);
+  const std::string why = in_space ? why_no_space_beams(scene) : why_no_beams(scene);
+  const std::string hint = "--integrator whitted walks rays";
   if (!why.empty()) return Error{options.scene, 0, 0, "beams cannot be followed here: " + why, hint};
-  if (options.pixel && std::holds_alternative<ImagePixel>(*options.pixel))
-    return Error{options.scene, 0, 0, "beams are walked in the plan: a pixel of the picture has none", hint};
   if (options.fault) return Error{options.scene, 0, 0, "faults are those of rays, not of beams", hint};
   return std::nullopt;
 }

@@ -1,5 +1,6 @@
 #include "scene/effects.h"
 
+#include "scene/beam_limits.h"
 #include "scene/cone_limits.h"
 
 #include <algorithm>
@@ -59,13 +60,13 @@ EffectUse reflection(const Scene& scene, Integrator integrator) {
 
 EffectUse gloss(const Scene& scene, Integrator integrator) {
   const EffectUse use = use_if(scene, &Material::is_glossy, "has a rough reflection", "every mirror is sharp");
-  return use.used && !has_extents(integrator) ? left_out(integrator, "takes every mirror as sharp") : use;
+  return use.used && !has_lobes(integrator) ? left_out(integrator, "takes every mirror as sharp") : use;
 }
 
 EffectUse translucency(const Scene& scene, Integrator integrator) {
   const EffectUse use =
       use_if(scene, &Material::is_translucent, "scatters what it transmits", "every transmitter is clear");
-  return use.used && !has_extents(integrator) ? left_out(integrator, "takes every transmitter as clear") : use;
+  return use.used && !has_lobes(integrator) ? left_out(integrator, "takes every transmitter as clear") : use;
 }
 
 /// A scene may be lit by emitting objects only. It then has soft shadows, but not from a light.
@@ -101,7 +102,9 @@ EffectUse motion_blur(const Scene& scene, Integrator integrator) {
 }
 
 EffectUse antialiasing(int samples_per_pixel, Integrator integrator) {
-  if (traits_of(integrator).has_width) return {true, "a pixel is a cone as wide as itself"};
+  if (traits_of(integrator).has_width)
+    return {true,
+            std::string("a pixel is a ") + (integrator == Integrator::beams ? "beam" : "cone") + " as wide as itself"};
   if (samples_per_pixel <= 1) return {false, "none: one sample in the centre of each pixel"};
   return {true, std::to_string(samples_per_pixel) + " samples are taken in each pixel"};
 }
@@ -132,10 +135,11 @@ EffectUse scattering(const Scene& scene, Integrator integrator) {
   return left_out(integrator, "takes light that is scattered inside as absorbed");
 }
 
-EffectUse filtering(const Scene& scene) {
-  const EffectUse checker = use_if(scene, &Material::filters_checker, "has its checker filtered", "");
-  return checker.used ? checker
-                      : use_if(scene, &Material::filters_texture, "has its image filtered", "no pattern is filtered");
+EffectUse filtering(const Scene& scene, Integrator integrator) {
+  EffectUse use = use_if(scene, &Material::filters_checker, "has its checker filtered", "");
+  if (!use.used) use = use_if(scene, &Material::filters_texture, "has its image filtered", "no pattern is filtered");
+  return use.used && integrator == Integrator::beams ? left_out(integrator, "takes patterns in the middle of each part")
+                                                     : use;
 }
 
 /// Without random numbers rough glass still has its highlights, unless what is followed has a width.
@@ -190,8 +194,9 @@ EffectUse shadows(const Scene& scene, Integrator integrator) {
 
 Integrator integrator_of(const Scene& scene, int samples_per_pixel) {
   const Integrator chosen = scene.render.integrator;
-  const bool cannot = chosen == Integrator::cones && !why_no_cones(scene).empty();
-  if (chosen != Integrator::automatic && !traits_of(chosen).is_flat && !cannot) return chosen;
+  const bool cannot = (chosen == Integrator::cones && !why_no_cones(scene).empty()) ||
+                      (chosen == Integrator::beams && !why_no_space_beams(scene).empty());
+  if (chosen != Integrator::automatic && !cannot) return chosen;
   const Integrator whole = Integrator::distributed;
   const bool calls = samples_per_pixel > 1 || gloss(scene, whole).used || translucency(scene, whole).used ||
                      penumbra(scene, whole).used || depth_of_field(scene, whole).used ||
@@ -220,7 +225,7 @@ Effects effects_of(const Scene& scene, int samples_per_pixel) {
   effects[Effect::indirect_light] = indirect_light(scene, integrator);
   effects[Effect::sky] = sky(scene);
   effects[Effect::scattering] = scattering(scene, integrator);
-  effects[Effect::filtering] = filtering(scene);
+  effects[Effect::filtering] = filtering(scene, integrator);
   effects[Effect::microfacets] = microfacets(scene, integrator);
   effects[Effect::maps] = maps(scene, integrator);
   effects[Effect::textures] =

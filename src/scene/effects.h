@@ -68,14 +68,17 @@ class Effects {
 /// With the scene's own choices of rendering; an integrator that leaves an effect out makes it unused.
 [[nodiscard]] Effects effects_of(const Scene& scene, int samples_per_pixel = 1);
 
-/// The scene's integrator, `automatic` resolved: distributed where an effect of it is called for, else whitted. Cones
-/// that cannot be followed through the scene count as automatic.
+/// The scene's integrator, `automatic` resolved: distributed where an effect of it is called for, else whitted. Beams
+/// and cones that cannot be followed through the scene count as automatic.
 [[nodiscard]] Integrator integrator_of(const Scene& scene, int samples_per_pixel = 1);
 /// Whether it may draw random numbers: cast and whitted take their samples at fixed positions.
 [[nodiscard]] constexpr bool draws_random(Integrator integrator) { return traits_of(integrator).draws_random; }
-/// Whether lights and lobes have extents for it, by samples or as a whole.
+/// Whether lights have extents for it, by samples or as a whole; and whether lobes have.
 [[nodiscard]] constexpr bool has_extents(Integrator integrator) {
   return draws_random(integrator) || traits_of(integrator).has_width;
+}
+[[nodiscard]] constexpr bool has_lobes(Integrator integrator) {
+  return draws_random(integrator) || traits_of(integrator).has_lobes;
 }
 
 /// Whether it shades by normals of maps; else by those of the shapes.

@@ -20,7 +20,7 @@ enum class Integrator {
   path,         ///< global illumination: path tracing (Kajiya 1986)
   photons,      ///< the same by photon mapping (Jensen 1996)
   radiosity,    ///< light between matt surfaces, from patch to patch (Goral et al. 1984)
-  beams,        ///< all rays of a pixel at once, in the plan (Heckbert and Hanrahan 1984)
+  beams,        ///< all rays of a pixel at once (Heckbert and Hanrahan 1984)
   cones,        ///< a pixel as one cone, and how much of it each object covers (Amanatides 1984)
 };
 /// What is to be known of an integrator before it runs. Its procedure is in trace.
@@ -31,8 +31,8 @@ struct IntegratorTraits {
   bool draws_random = false;  ///< cast and whitted take their samples at fixed positions
   bool is_global = false;     ///< surfaces light each other
   bool is_recursive = true;   ///< follows rays beyond the first hit
-  bool is_flat = false;       ///< walks the strip only, in a flat world; the picture is as for `automatic`
-  bool has_width = false;     ///< what is followed is as wide as a pixel, a lobe or a light; it has no lens
+  bool has_width = false;     ///< what is followed is as wide as a pixel or a light; it has no lens
+  bool has_lobes = false;     ///< and as a lobe
 };
 /// All integrators, in the order of the enumeration: files, options and menus offer them from here.
 inline constexpr std::array integrators{
@@ -62,12 +62,13 @@ inline constexpr std::array integrators{
                      .is_recursive = false},
     IntegratorTraits{.integrator = Integrator::beams,
                      .name = "beams",
-                     .follows = "all rays of a pixel at once, in the plan only",
-                     .is_flat = true},
+                     .follows = "all rays of a pixel at once: exact edges and shadows without samples",
+                     .has_width = true},
     IntegratorTraits{.integrator = Integrator::cones,
                      .name = "cones",
                      .follows = "a pixel as one cone: soft shadows, gloss and translucency without samples",
-                     .has_width = true}};
+                     .has_width = true,
+                     .has_lobes = true}};
 [[nodiscard]] constexpr const IntegratorTraits& traits_of(Integrator integrator) {
   return integrators[static_cast<std::size_t>(integrator)];
 }

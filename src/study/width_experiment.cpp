@@ -1,10 +1,12 @@
-// E15: rays with width: cones against samples, at equal numbers and at equal time, and where they lose.
+// E15: rays with width: beams and cones against samples, at equal numbers and at equal time, and where they lose.
 #include "study/curve.h"
 #include "study/subjects.h"
 
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <string_view>
+#include <utility>
 
 namespace raywalk::study {
 
@@ -48,7 +50,32 @@ Subject crumbs(int round) {
   return made;
 }
 
+/// A ball that mirrors, under a glowing ceiling: of the disc that it is seen as, what shows the ceiling is a smaller
+/// one. Where a ray that meets the ball at the angle a from its top goes up, it came at the angle b to the vertical,
+/// and 2 a + b is less than a quarter turn; by the law of sines, 2 sin b = R sin(a + b).
+Subject curved(int round) {
+  const double radius = 0.6 + 0.3 * drawn_for(round, 0), above = 2;
+  double low = 0, high = std::numbers::pi / 4;
+  for (int i = 0; i < 100; ++i) {
+    const double a = (low + high) / 2, b = std::numbers::pi / 2 - 2 * a;
+    // At this a the ray from the eye has a smaller b than that as long as the reflected one goes up.
+    const double at = std::atan2(radius * std::sin(a), above - radius * std::cos(a));
+    (at < b ? low : high) = a;
+  }
+  const double rim = above * radius * std::sin(low) / (above - radius * std::cos(low));
+  Subject made = edge_subject();
+  made.name = "curved mirror", made.only_edges = true;
+  Material mirror;
+  mirror.diffuse = Rgbd(0.0);
+  mirror.reflection = Rgbd(1.0);
+  made.scene.objects = {{"Ball", Sphere<double>{{0, 0, 0}, radius}, mirror},
+                        {"Ceiling", Plane<double>{{0, 0, 5}, {0, 0, -1}}, glowing()}};
+  made.truth = [rim](const Rectangle& pixel) { return disk_area_in(pixel, rim) / pixel.area(); };
+  return made;
+}
+
 Subject subject_of(int which, int round) {
+  if (which == 3) return curved(round);
   if (which == 1) return halves(round);
   if (which == 2) return crumbs(round);
   Subject edge = edge_subject();
@@ -61,40 +88,56 @@ Subject subject_of(int which, int round) {
   };
   return edge;
 }
-constexpr std::array subjects{"edge", "shared edge", "crumbs"};
+constexpr std::array subjects{"edge", "shared edge", "crumbs", "curved mirror"};
 
-/// How many times the error of some samples a pixel is that of one cone.
-Estimate against_one_cone(const std::vector<Trial>& trials, const std::string& subject, std::size_t samples) {
-  const ErrorCurve cones(trials, "cones " + subject), many(trials, "samples " + subject);
-  return bootstrap(cones.rounds(),
-                   [&](const std::vector<int>& rounds) { return many.at(samples, rounds) / cones.at(0, rounds); });
+constexpr std::array<std::pair<std::string_view, Integrator>, 3> methods{
+    {{"samples", Integrator::distributed}, {"cones", Integrator::cones}, {"beams", Integrator::beams}}};
+
+/// How many times the error of one beam or cone that of some samples a pixel is.
+Estimate against_one(const std::string& method, const std::vector<Trial>& trials, const std::string& subject,
+                     std::size_t samples) {
+  const ErrorCurve wide(trials, method + " " + subject), many(trials, "samples " + subject);
+  return bootstrap(wide.rounds(),
+                   [&](const std::vector<int>& rounds) { return many.at(samples, rounds) / wide.at(0, rounds); });
 }
 
 Report conclude_width(const std::vector<Trial>& trials) {
   Report report;
   const std::array texts{
-      "A glowing disc, of which a pixel at its edge sees a part. A cone has its share in closed form; what it errs by "
-      "is "
-      "that a cone is round and a pixel is square. Samples have to be many to say as much.",
-      "Two sheets side by side, with nothing between them. Samples are right. A cone knows how much each covers, not "
-      "where, and takes the second to cover a part of what the first has left: of two halves a quarter is lost.",
-      "Four small discs in each pixel. Each is taken as if it had nothing to do with the others, although none hides "
-      "another; more cones a pixel see fewer each."};
+      "A glowing disc, of which a pixel at its edge sees a part. A beam is cut by it exactly, but for the 64 sides "
+      "that stand for a circle. A cone has its share in closed form; what it errs by is that a cone is round and a "
+      "pixel is square. Samples have to be many to say as much.",
+      "Two sheets side by side, with nothing between them. Samples are right, and so are beams, which know where each "
+      "sheet is. A cone knows how much each covers, not where, and takes the second to cover a part of what the first "
+      "has left: of two halves a quarter is lost.",
+      "Four small discs in each pixel. A beam is cut by all of them, and pays for each. A cone takes each as if it had "
+      "nothing to do with the others, although none hides another; more cones a pixel see fewer each.",
+      "The edge of a ceiling in a ball that mirrors. No beam comes back from a ball as a beam: one ray from the middle "
+      "of each part has to do, and the edge is as jagged as by samples. A cone only grows wider."};
   for (std::size_t i = 0; i < subjects.size(); ++i) {
     Plot plot;
     plot.title = std::string("Error against time: ") + subjects[i];
     plot.x_label = "seconds of one processor";
     plot.y_label = "root mean square error, of 0 to 1";
-    for (const std::string method : {"samples", "cones"}) {
+    for (const auto& [name, integrator] : methods) {
+      const std::string method(name);
       const ErrorCurve curve(trials, method + " " + subjects[i]);
       plot.series.push_back(curve.series(method, [](const Trial& trial) { return trial.cost.seconds; }));
     }
     report.figures.push_back({plot, texts[i]});
   }
   report.laws.push_back({"cones, edge", "one cone errs less than 4 samples", LawKind::at_least, 1,
-                         against_one_cone(trials, "edge", 1), 0, "A cone is round, and pixels are square."});
+                         against_one("cones", trials, "edge", 1), 0, "A cone is round, and pixels are square."});
   report.laws.push_back({"cones, crumbs", "one cone errs less than 1 sample", LawKind::at_least, 1,
-                         against_one_cone(trials, "crumbs", 0), 0, "Too many things share the cone."});
+                         against_one("cones", trials, "crumbs", 0), 0, "Too many things share the cone."});
+  report.laws.push_back({"beams, edge", "one beam errs less than 16 samples", LawKind::at_least, 1,
+                         against_one("beams", trials, "edge", 2), 0, "Its edges are those of polygons."});
+  report.laws.push_back({"beams, crumbs", "one beam errs less than 16 samples", LawKind::at_least, 1,
+                         against_one("beams", trials, "crumbs", 2), 0, "It is cut by everything."});
+  report.laws.push_back({"beams, shared edge", "nothing is seen between two that share an edge", LawKind::at_most, 1e-9,
+                         ErrorCurve(trials, "beams shared edge").estimate(0), 0, "Its parts are the pixel."});
+  report.laws.push_back({"beams, curved mirror", "one beam errs more than 16 samples", LawKind::at_most, 1,
+                         against_one("beams", trials, "curved mirror", 2), 0, "One ray of each part is reflected."});
   const ErrorCurve leak(trials, "cones shared edge");
   report.laws.push_back({"cones, shared edge", "an edge that two share is seen through", LawKind::at_least, 0.01,
                          leak.estimate(0), 0, "Shares would have to say where they are."});
@@ -107,24 +150,24 @@ Experiment width_experiment(Effort effort) {
   const int most = by_effort(effort, 64, 64, 16);
   Experiment e;
   e.number = "E15", e.name = "width", e.title = "Rays with width";
-  e.question = "Is one cone a pixel worth more than many rays, and where is it not?";
+  e.question = "Is one beam or cone a pixel worth more than many rays, and where is it not?";
   e.columns = {"a_pixel", "rms_error", "mean_error"};
   e.run = [=](int round, const Stop& stop) {
     std::vector<Trial> trials;
     for (std::size_t which = 0; which < subjects.size(); ++which)
       for (int n = 1; n <= most; n *= 4)
-        for (const bool cones : {false, true}) {
+        for (const auto& [method, integrator] : methods) {
           if (stop.asked()) return trials;
-          if (cones && n > 16) continue;
+          if (traits_of(integrator).has_width && n > 16) continue;
           Subject subject = subject_of(static_cast<int>(which), round);
-          if (cones) subject.scene.render.integrator = Integrator::cones;
+          subject.scene.render.integrator = integrator;
           const Shot shot = shoot(subject.scene, {edge_of_picture, edge_of_picture}, {n, seed_of(round)});
           double squares = 0, sum = 0;
           int count = 0;
           for_each_pixel(subject, shot.film, [&](double shown, double truth) {
             squares += (shown - truth) * (shown - truth), sum += shown - truth, ++count;
           });
-          trials.push_back({round, std::string(cones ? "cones " : "samples ") + subjects[which], static_cast<double>(n),
+          trials.push_back({round, std::string(method) + " " + subjects[which], static_cast<double>(n),
                             std::sqrt(squares / count), sum / count, shot.cost});
         }
     return trials;

@@ -21,7 +21,8 @@ class BeamDescriber : PartWords {
 
   [[nodiscard]] Told describe(const Event& /*event*/, const BeamFormed& formed) const {
     if (formed.parent >= 0) return Message{"walk.mirrored_beam_formed", {{"object", object(part_above().object)}}};
-    return Message{"walk.beam_formed", {{"cell", pixel().column}}};
+    if (timeline_.of_strip()) return Message{"walk.beam_formed", {{"cell", pixel().column}}};
+    return Message{"walk.image_beam_formed", {{"column", pixel().column}, {"row", pixel().row}}};
   }
 
   [[nodiscard]] Told describe(const Event& /*event*/, const RayNotFormed& stub) const {
@@ -30,6 +31,11 @@ class BeamDescriber : PartWords {
     return Message{
         "walk.beam_threshold",
         {{"share", Fraction{max_component(stub.throughput)}}, {"threshold", Fraction{scene_.limits.threshold}}}};
+  }
+
+  [[nodiscard]] Told describe(const Event& /*event*/, const Found& found) const {
+    if (current().kind != RayKind::shadow || current().end_radius == 0) return std::nullopt;
+    return uncovered(found);
   }
 
   [[nodiscard]] Told describe(const Event& /*event*/, const BeamCut& cut) const {
@@ -66,8 +72,12 @@ class BeamDescriber : PartWords {
   }
 
   [[nodiscard]] Told describe(const Event& /*event*/, const PartAdded& added) const {
-    return Message{added.last ? "walk.last_part_added" : "walk.part_added",
-                   {{"colour", added.shade}, {"share", added.share}, {"mean", added.mean}}};
+    constexpr double seen = 0.0005;  // of three digits
+    if (added.off < seen)
+      return Message{added.last ? "walk.last_part_added" : "walk.part_added",
+                     {{"colour", added.shade}, {"share", added.share}, {"mean", added.mean}}};
+    return Message{added.last ? "walk.last_part_added_off" : "walk.part_added_off",
+                   {{"colour", added.shade}, {"share", added.share}, {"off", added.off}, {"mean", added.mean}}};
   }
 };
 

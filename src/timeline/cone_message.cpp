@@ -19,8 +19,6 @@ class ConeDescriber : PartWords {
  private:
   using PartWords::describe;
 
-  [[nodiscard]] std::string light() const { return scene_.lights[static_cast<std::size_t>(current().light)].name; }
-
   [[nodiscard]] Told describe(const Event& event, const BeamFormed& formed) const {
     if (formed.parent >= 0) {
       const std::string from = object(part_above().object);
@@ -52,13 +50,7 @@ class ConeDescriber : PartWords {
         {{"share", Fraction{max_component(stub.throughput)}}, {"threshold", Fraction{scene_.limits.threshold}}}};
   }
 
-  [[nodiscard]] Told describe(const Event& /*event*/, const Found& found) const {
-    const double uncovered = max_component(found.transmittance);
-    if (found.ending == Ending::blocked)
-      return Message{"walk.light_covered_by", {{"light", light()}, {"object", object(found.object)}}};
-    if (uncovered >= 1) return Message{"walk.light_uncovered", {{"light", light()}}};
-    return Message{"walk.light_partly", {{"light", light()}, {"share", uncovered}}};
-  }
+  [[nodiscard]] Told describe(const Event& /*event*/, const Found& found) const { return uncovered(found); }
 
   [[nodiscard]] Told describe(const Event& /*event*/, const BeamCut& cut) const {
     const auto count = static_cast<int>(cut.pieces.size());

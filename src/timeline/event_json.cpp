@@ -287,6 +287,7 @@ class EventWriter {
     to_["shade"] = triple(added.shade);
     to_["of_beam"] = added.share;
     to_["mean"] = triple(added.mean);
+    if (added.off > 0) to_["off"] = added.off;
   }
 
  private:

@@ -33,6 +33,15 @@ class PartWords {
     return index < 0 ? std::string() : scene_.objects[static_cast<std::size_t>(index)].name;
   }
   [[nodiscard]] std::string seen() const { return object(part().object); }
+  [[nodiscard]] std::string light() const { return scene_.lights[static_cast<std::size_t>(current().light)].name; }
+  /// How much of a light with an extent is seen from a part.
+  [[nodiscard]] Message uncovered(const Found& found) const {
+    const double share = max_component(found.transmittance);
+    if (found.ending == Ending::blocked)
+      return {"walk.light_covered_by", {{"light", light()}, {"object", object(found.object)}}};
+    if (share >= 1) return {"walk.light_uncovered", {{"light", light()}}};
+    return {"walk.light_partly", {{"light", light()}, {"share", share}}};
+  }
 
   /// As of other pseudocodes.
   template <class Detail>

@@ -210,7 +210,7 @@ Timeline::Timeline(std::vector<Event> events, ImageSize image) : image_(image), 
               record.parent = parent_of(formed.parent);
               record.origin = formed.area.starts.front();
               record.end = formed.area.ends.front();
-              if (of_cones()) {  // along its axis
+              if (!is_flat() || of_cones()) {  // along its axis
                 record.origin = (record.origin + formed.area.starts.back()) / 2.0;
                 record.end = (record.end + formed.area.ends.back()) / 2.0;
               }

@@ -112,7 +112,7 @@ class Timeline {
   /// The position from which all of them are there.
   [[nodiscard]] int all_photons_at() const { return all_photons_at_; }
   /// Whether it runs in a flat world.
-  [[nodiscard]] bool is_flat() const { return flat_ || of_beams(); }
+  [[nodiscard]] bool is_flat() const { return flat_ || (of_beams() && of_strip()); }
   void set_flat() { flat_ = true; }
   /// Of RADIOSITY; else null.
   [[nodiscard]] const Patches* patches() const { return patches_.get(); }

@@ -17,9 +17,11 @@ template <class Watcher>
 void BeamTracer<Watcher>::divide_by_shadows(std::vector<BeamPart>& pieces, const Beam& beam, const BeamPart& whole) {
   std::vector<Place> edges;
   if (shows_shadows(whole.outline))
-    for (const Light& light : world_.lights)
+    for (const Light& light : world_.lights) {
+      if (has_extent(light)) continue;  // a penumbra has no edge
       for (const Place& edge : beam.plan->shadow_edges(beam.fan, whole, {plan(light.place), light.is_distant}))
         edges.push_back(edge);
+    }
   std::sort(edges.begin(), edges.end());
   edges.push_back(whole.end);
   std::vector<Rgbd> before;
@@ -53,7 +55,7 @@ template <class Watcher>
 std::vector<Rgbd> BeamTracer<Watcher>::light_at(const Beam& beam, const BeamPart& piece) {
   Part part;
   static_cast<BeamPart&>(part) = piece;
-  meet(part, beam);
+  meet(part, beam, part.middle());
   const SurfaceVertex<double>& at = *part.at;
   std::vector<Rgbd> arriving;
   TestCounts uncounted;
@@ -92,18 +94,84 @@ auto BeamTracer<Watcher>::form_shadow_ray(int depth, const Part& part, const Bea
   }
   const Shadow shadow{
       spawn_ray<Ray<double>>(world_, at.position, at.bsdf.geometric_normal, at.departure, to_light, at.time),
-      rays_formed_++, at.medium};
+      rays_formed_++, at.medium, fan_to(light, at.position)};
   ++statistics_.formed(RayKind::shadow);
   note(Line::beam_form_shadow_ray, depth, [&] {
-    return RayFormed{shadow.number, part.number, RayKind::shadow, shadow.ray.origin,
+    RayFormed formed{shadow.number, part.number, RayKind::shadow, shadow.ray.origin,
                      to_light,      throughput,  light.index,     !light.is_distant};
+    if (shadow.fan)
+      formed.end_radius =
+          std::abs(cross(shadow.fan->end - shadow.fan->begin, plan(to_light))) / (2 * length(plan(to_light)));
+    return formed;
   });
   return shadow;
 }
 
-/// As the tracer's.
 template <class Watcher>
-Rgbd BeamTracer<Watcher>::find_intersection(int depth, const Shadow& shadow, const Light& light) {
+bool BeamTracer<Watcher>::has_extent(const Light& light) const {
+  return !light.is_delta && !light.is_distant && world_.effects.used(Effect::penumbra);
+}
+
+/// From a place to both ends of a light with an extent: of a rectangle that stands upright its edge, of others as wide
+/// as they are seen. The rays between them meet the light at t = 1.
+template <class Watcher>
+std::optional<PixelFan> BeamTracer<Watcher>::fan_to(const Light& light, const Vec3d& from) const {
+  if (!has_extent(light)) return std::nullopt;
+  const Vec2d to = plan(light.place - from), aside = Vec2d(-to.y, to.x) / length(to);
+  Vec2d half{0.0};
+  if (const auto* sphere = std::get_if<SphereLight::Prepared<double>>(&light.kind)) half = sphere->radius * aside;
+  if (const auto* rectangle = std::get_if<RectangleLight::Prepared<double>>(&light.kind)) {
+    const Vec2d u = plan(rectangle->u) / 2.0, v = plan(rectangle->v) / 2.0, none{0.0};
+    half = v == none ? u : u == none ? v : (std::abs(dot(u, aside)) + std::abs(dot(v, aside))) * aside;
+  }
+  if (!(length(half) > 0)) return std::nullopt;
+  return PixelFan{to - half, to + half};
+}
+
+/// What of a light with an extent is seen from the middle of a part: the light's width is cut as a pixel's is.
+template <class Watcher>
+Found BeamTracer<Watcher>::find_uncovered(const Part& part, const Shadow& shadow, const Light& light) {
+  std::vector<Outline> others = outlines_;
+  others.erase(others.begin() + part.outline);  // the middle lies on its own outline, which is convex
+  const Vec2d from = plan(shadow.ray.origin);
+  const UnfoldedPlan seen(others, from);
+  Found found{shadow.number, Ending::blocked};
+  found.transmittance = Rgbd(0.0);
+  double widest = 0;
+  for (const BeamPart& piece : seen.cut(*shadow.fan)) {
+    const Vec2d direction = shadow.fan->at(piece.middle());
+    const Vec2d met = piece.outline < 0 ? from : seen.end(*shadow.fan, piece, piece.middle());
+    const bool before = piece.outline >= 0 && length(met - from) < length(direction);
+    const int object = before ? others[static_cast<std::size_t>(piece.outline)].object : -1;
+    std::optional<Rgbd> through(Rgbd(1.0));
+    if (before && role_of(world_.shadow_roles, primitives_[static_cast<std::size_t>(object)]) == ShadowRole::stops) {
+      through.reset();
+    } else if (before || world_.absorbs) {
+      const Ray<double> ray{shadow.ray.origin, detail::in_space(direction), shadow.ray.departure, shadow.ray.time};
+      through = shadow_transmittance(world_, ray, light.t_far(), statistics_.tests, filters_met_, {}, shadow.medium);
+    }
+    if (through) {
+      found.transmittance += piece.width() * *through;
+      found.ending = Ending::reached_light;
+    } else if (before && piece.width() > widest) {
+      widest = piece.width();
+      found.object = object;
+      found.point = detail::in_space(met), found.normal = -normalize(detail::in_space(direction));
+      found.t = length(met - from) / length(direction);
+    }
+  }
+  return found;
+}
+
+/// As the tracer's; of a light with an extent, how much is uncovered.
+template <class Watcher>
+Rgbd BeamTracer<Watcher>::find_intersection(int depth, const Part& part, const Shadow& shadow, const Light& light) {
+  if (shadow.fan && world_.occludes) {
+    const Found found = find_uncovered(part, shadow, light);
+    ++statistics_.ends(found.ending);
+    note(Line::beam_find_intersection, depth, [&] { return found; });
+    return found.transmittance;
+  }
   const double t_max = light.t_far();
   const std::optional<Rgbd> transmittance =
       world_.occludes

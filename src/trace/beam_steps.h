@@ -14,7 +14,6 @@ namespace raywalk {
 
 namespace detail {
 
-[[nodiscard]] inline Vec3d in_space(const Vec2d& at) { return {at.x, at.y, 0}; }
 /// Farther from the eye than everything that has an end.
 [[nodiscard]] double far_from(const Vec2d& eye, const std::vector<Outline>& outlines);
 
@@ -64,7 +63,7 @@ auto BeamTracer<Watcher>::cut(Line line, int depth, const Beam& beam) -> std::ve
     Part part;
     static_cast<BeamPart&>(part) = piece;
     part.number = rays_formed_++;
-    meet(part, beam);
+    meet(part, beam, part.middle());
     ++statistics_.formed(RayKind::beam);
     ++statistics_.ends(part.at ? Ending::hit : Ending::missed);
     parts.push_back(std::move(part));
@@ -83,16 +82,16 @@ auto BeamTracer<Watcher>::cut(Line line, int depth, const Beam& beam) -> std::ve
   return parts;
 }
 
-/// The ray in the middle of a part, and what it meets: what all of the part sees.
+/// The ray at a place of a part, and what it meets. That in its middle is taken for all of the part.
 template <class Watcher>
-void BeamTracer<Watcher>::meet(Part& part, const Beam& beam) {
-  const Vec2d direction = beam.fan.at(part.middle());
+void BeamTracer<Watcher>::meet(Part& part, const Beam& beam, const Place& place) {
+  const Vec2d direction = beam.fan.at(place);
   part.ray = {detail::in_space(beam.plan->start(direction)), normalize(detail::in_space(beam.plan->leaving(direction))),
               beam.departure, camera_.shutter_open()};
   if (part.outline < 0) return;
   const auto index = static_cast<std::size_t>(part.outline);
   part.object = outlines_[index].object;
-  const Vec3d end = detail::in_space(beam.plan->end(beam.fan, part, part.middle()));
+  const Vec3d end = detail::in_space(beam.plan->end(beam.fan, part, place));
   const Hit<double> hit{length(end - part.ray.origin), primitives_[static_cast<std::size_t>(part.object)],
                         outlines_[index].part};
   const detail::MiddleOfPart<double> middle{part.ray, part.number, beam.medium};
@@ -248,6 +247,32 @@ Rgbd BeamTracer<Watcher>::follow_middle_ray(int depth, const MiddleRay& ray) {
   return tracer_.radiance_along(ray.ray, depth + 1, ray.medium);
 }
 
+/// Of rays a sixteenth of a part's width from its ends, beside that in its middle, which brought `followed`.
+template <class Watcher>
+double BeamTracer<Watcher>::off_near_ends(int depth, const Beam& beam, const Part& part, const Rgbd& followed) {
+  if (!sends(part, RayKind::reflect) && !sends(part, RayKind::refract)) return 0;
+  const Statistics counted = statistics_;
+  double off = 0;
+  for (const double share : {1.0 / 16, 15.0 / 16}) {
+    Part beside = part;
+    meet(beside, beam, {part.begin.value() + share * part.width(), 0});
+    Rgbd brought{0.0};
+    for (const RayKind kind : {RayKind::reflect, RayKind::refract}) {
+      if (!sends(beside, kind) || detail::why_not_followed(world_, depth, Rgbd(1.0))) continue;
+      const SurfaceVertex<double>& at = *beside.at;
+      const bool refracts = kind == RayKind::refract;
+      const Ray<double> ray =
+          spawn_ray<Ray<double>>(world_, at.position, at.bsdf.geometric_normal, at.departure,
+                                 refracts ? at.bsdf.transparent_axis : at.bsdf.mirror_axis, at.time);
+      brought += weight_of(beside, kind) * tracer_.radiance_along(ray, depth + 1, refracts ? at.behind : at.medium);
+    }
+    const Rgbd more = brought - followed;
+    off = std::max({off, std::abs(more.x), std::abs(more.y), std::abs(more.z)});
+  }
+  statistics_ = counted;
+  return off;
+}
+
 /// A running mean, as the film's: where all parts have one shade, it is that shade, whatever their widths.
 template <class Watcher>
 void BeamTracer<Watcher>::add_part(Rgbd& mean, int depth, const Beam& beam, const Part& part, const Rgbd& local,
@@ -257,8 +282,15 @@ void BeamTracer<Watcher>::add_part(Rgbd& mean, int depth, const Beam& beam, cons
   mean += (shade - mean) * (part.width() / (part.end - beam.begin));
   note(Line::add_part, depth, [&] {
     return PartAdded{
-        part.number,         local, reflected, refracted, shade, part.width() / (beam.end - beam.begin), mean,
-        part.end == beam.end};
+        part.number,
+        local,
+        reflected,
+        refracted,
+        shade,
+        part.width() / (beam.end - beam.begin),
+        mean,
+        part.end == beam.end,
+        off_near_ends(depth, beam, part, refracted + (part.at && !is_straight(part) ? reflected : Rgbd(0.0)))};
   });
 }
 

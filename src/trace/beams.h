@@ -5,9 +5,10 @@
 // and `shade_parts` read like trace/pseudocode.h, and a test holds them together; what a statement does stands in
 // trace/beam_steps.h.
 //
-// A part is shaded by one ray, in its middle: along it the shade is taken as constant, which is exact where it is. A
-// flat mirror reflects a beam as a beam. Neither a curved mirror nor glass does, but in approximation: of these a
-// single ray is followed, from the middle, as trace/tracer.h does.
+// A part is shaded by one ray, in its middle: along it the shade is taken as constant, which is exact where it is. To a
+// light with an extent all rays go from there at once, and its width is cut as a pixel's is. A flat mirror reflects a
+// beam as a beam. Neither a curved mirror nor glass does, but in approximation: of these a single ray is followed, from
+// the middle, as trace/tracer.h does.
 //
 // The world is flat: everything is endless along z, and what lies above or below the plan is not there.
 
@@ -22,6 +23,10 @@
 #include <vector>
 
 namespace raywalk {
+
+namespace detail {
+[[nodiscard]] inline Vec3d in_space(const Vec2d& at) { return {at.x, at.y, 0}; }
+}  // namespace detail
 
 template <class Watcher>
 class BeamTracer {
@@ -74,10 +79,12 @@ class BeamTracer {
     std::optional<SurfaceVertex<double>> at{};  ///< what that ray meets
     Rgbd ambient{0.0};                          ///< of the surface
   };
+  /// A ray to a light; to one with an extent, all rays at once.
   struct Shadow {
     Ray<double> ray;
     int number;
     const Medium* medium;
+    std::optional<PixelFan> fan{};  ///< then: to both of its ends
   };
   /// What lights bring; each one's term only when observed.
   struct DirectLighting {
@@ -106,7 +113,7 @@ class BeamTracer {
           continue;
         }
         // Find intersection
-        const Rgbd visible = find_intersection(depth, *shadow, light);
+        const Rgbd visible = find_intersection(depth, part, *shadow, light);
         add_light(direct, part, light, *shadow, visible);
       }
       // Shade its middle
@@ -144,7 +151,7 @@ class BeamTracer {
   void begin(const Pixel& pixel);
   Beam form_beam(const Pixel& pixel);
   std::vector<Part> cut(Line line, int depth, const Beam& beam);
-  void meet(Part& part, const Beam& beam);
+  void meet(Part& part, const Beam& beam, const Place& place);
   void divide_by_shadows(std::vector<BeamPart>& pieces, const Beam& beam, const BeamPart& whole);
   [[nodiscard]] bool shows_shadows(int outline) const;
   [[nodiscard]] std::vector<Rgbd> light_at(const Beam& beam, const BeamPart& piece);
@@ -153,7 +160,10 @@ class BeamTracer {
   void begin(int depth, const std::vector<Part>& parts, const Part& part);
   [[nodiscard]] const std::vector<Light>& lights_of(const Part& part) const;
   std::optional<Shadow> form_shadow_ray(int depth, const Part& part, const Beam& beam, const Light& light);
-  Rgbd find_intersection(int depth, const Shadow& shadow, const Light& light);
+  Rgbd find_intersection(int depth, const Part& part, const Shadow& shadow, const Light& light);
+  [[nodiscard]] bool has_extent(const Light& light) const;
+  [[nodiscard]] std::optional<PixelFan> fan_to(const Light& light, const Vec3d& from) const;
+  [[nodiscard]] Found find_uncovered(const Part& part, const Shadow& shadow, const Light& light);
   void add_unlit(DirectLighting& direct, const Light& light);
   void add_light(DirectLighting& direct, const Part& part, const Light& light, const Shadow& shadow,
                  const Rgbd& visible);
@@ -166,6 +176,7 @@ class BeamTracer {
   [[nodiscard]] static const Rgbd& weight_of(const Part& part, RayKind kind);
   std::optional<MiddleRay> form_middle_ray(int depth, const Part& part, const Beam& beam, RayKind kind);
   Rgbd follow_middle_ray(int depth, const MiddleRay& ray);
+  [[nodiscard]] double off_near_ends(int depth, const Beam& beam, const Part& part, const Rgbd& followed);
   void add_part(Rgbd& mean, int depth, const Beam& beam, const Part& part, const Rgbd& local, const Rgbd& reflected,
                 const Rgbd& refracted);
   template <class Put>

@@ -12,23 +12,6 @@
 
 namespace raywalk {
 
-namespace detail {
-
-/// Of a light as it is seen along `l`, of unit length: of a disc of its area, in a flat world half its width; 0 of a
-/// point.
-template <class T>
-[[nodiscard]] double radius_of_light(const typename World<T>::Light& light, const Vec3d& l, bool flat) {
-  if (const auto* sphere = std::get_if<SphereLight::Prepared<T>>(&light.kind))
-    return static_cast<double>(sphere->radius);
-  const auto* rectangle = std::get_if<RectangleLight::Prepared<T>>(&light.kind);
-  if (rectangle == nullptr) return 0;
-  const Vec3d u(rectangle->u), v(rectangle->v);
-  if (flat) return (std::abs(cross(plan(u), plan(l))) + std::abs(cross(plan(v), plan(l)))) / 2;
-  return std::sqrt(std::abs(dot(cross(u, v), l)) / std::numbers::pi);
-}
-
-}  // namespace detail
-
 template <class T, class Watcher, bool with_maps>
 auto ConeTracer<T, Watcher, with_maps>::lights_of(const Part& part) const -> const std::vector<Light>& {
   static const std::vector<Light> none;

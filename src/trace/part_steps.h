@@ -7,6 +7,8 @@
 #include "trace/world.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -67,6 +69,19 @@ template <class T, bool with_maps>
     brought.specular =
         radiance * at.specular * power_of_cosine(dot(at.bsdf.shading_normal, h), dot(h, h), at.values().shininess);
   return brought;
+}
+
+/// Of a light as it is seen along `l`, of unit length: of a disc of its area, in a flat world half its width; 0 of a
+/// point.
+template <class T>
+[[nodiscard]] double radius_of_light(const typename World<T>::Light& light, const Vec3d& l, bool flat) {
+  if (const auto* sphere = std::get_if<SphereLight::Prepared<T>>(&light.kind))
+    return static_cast<double>(sphere->radius);
+  const auto* rectangle = std::get_if<RectangleLight::Prepared<T>>(&light.kind);
+  if (rectangle == nullptr) return 0;
+  const Vec3d u(rectangle->u), v(rectangle->v);
+  if (flat) return (std::abs(cross(plan(u), plan(l))) + std::abs(cross(plan(v), plan(l)))) / 2;
+  return std::sqrt(std::abs(dot(cross(u, v), l)) / std::numbers::pi);
 }
 
 }  // namespace raywalk::detail

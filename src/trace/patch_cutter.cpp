@@ -11,11 +11,10 @@ namespace raywalk {
 
 namespace {
 
-constexpr int least_sides = 16;  // of what stands for a circle
-
 class Cutter {
  public:
-  Cutter(const World<double>& world, double size, int most) : world_(world), size_(size), most_(most) {}
+  Cutter(const World<double>& world, const CutSettings& settings)
+      : world_(world), size_(settings.size), least_sides_(settings.least_sides), most_(settings.most) {}
 
   void begin(int primitive) {
     primitive_ = primitive;
@@ -135,8 +134,9 @@ class Cutter {
   }
   [[nodiscard]] int sides(double radius) const {
     const int count = pieces(2 * std::numbers::pi * world_length({radius, 0, 0}));
-    return std::max(least_sides, (count + 3) / 4 * 4);
+    return std::max(least_sides_, (count + 3) / 4 * 4);
   }
+  [[nodiscard]] int least_sides() const { return least_sides_; }
   [[nodiscard]] double world_length(const Vec3d& v) const { return length(map_.direction(v)); }
 
  private:
@@ -148,7 +148,7 @@ class Cutter {
 
   const World<double>& world_;
   double size_;
-  int most_, primitive_ = 0;
+  int least_sides_, most_, primitive_ = 0;
   Affine<double> map_;
   bool mirrored_ = false;
   std::vector<Patch> patches_;
@@ -234,7 +234,7 @@ void cut(Cutter& to, const Quadric<double, Kind>& quadric) {
       const double s = std::clamp(z / quadric.radii.z, -1.0, 1.0);
       return portable::atan2(s, std::sqrt((1 - s) * (1 + s)));
     };
-    const int steps = std::max(least_sides / 2, to.pieces(to.world_length({0, 0, high - low}) * 1.6));
+    const int steps = std::max(to.least_sides() / 2, to.pieces(to.world_length({0, 0, high - low}) * 1.6));
     to.swept(0, round_profile(steps, angle(low), angle(high), quadric.radii.z), rx, ry);
   } else {
     const bool straight = Kind == QuadricKind::cylinder || Kind == QuadricKind::cone;
@@ -333,9 +333,10 @@ double extent_of(const World<double>& world) {
   return largest > 0 ? largest : 1;
 }
 
-CutScene cut_into_patches(const World<double>& world, double size, bool flat, int most, const Stop& stop) {
+CutScene cut_into_patches(const World<double>& world, const CutSettings& settings, const Stop& stop) {
   const Primitives<double>& primitives = world.accelerator.primitives();
-  Cutter cutter(world, size, most);
+  const bool flat = settings.flat;
+  Cutter cutter(world, settings);
   CutScene result;
   for (int id = 0; id < primitives.size() && !cutter.too_many(); ++id) {
     if (id % 1024 == 0) stop.check();

@@ -1,5 +1,5 @@
 #pragma once
-// Cuts surfaces into patches. Included by trace/patches.cpp alone.
+// Cuts surfaces into flat pieces. Included by trace/patches.cpp and trace/beam_scene.cpp alone.
 
 #include "trace/patches.h"
 
@@ -10,8 +10,13 @@ struct CutScene {
   std::vector<Patch> patches;
   std::vector<bool> closed;  ///< by primitive: it has an inside
 };
-/// `size`: the longest side of a patch.
-[[nodiscard]] CutScene cut_into_patches(const World<double>& world, double size, bool flat, int most, const Stop& stop);
+struct CutSettings {
+  double size = infinity<double>;  ///< the longest side of a patch
+  int most = 5000;                 ///< patches
+  bool flat = false;               ///< in the plane
+  int least_sides = 16;            ///< of what stands for a circle
+};
+[[nodiscard]] CutScene cut_into_patches(const World<double>& world, const CutSettings& settings, const Stop& stop);
 /// The largest side of the box about all that is bounded; 1 where nothing is.
 [[nodiscard]] double extent_of(const World<double>& world);
 

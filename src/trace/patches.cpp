@@ -118,7 +118,8 @@ std::optional<Error> why_no_patches(const Scene& scene, const Stop& stop) {
   if (error) return error;
   const World<double> world(scene, AcceleratorKind::none, std::nullopt, BuildOptions{stop});
   const double size = scene.render.radiosity.patch.value_or(Patches::share_of_extent * extent_of(world));
-  if (static_cast<int>(cut_into_patches(world, size, false, Patches::most, stop).patches.size()) > Patches::most)
+  if (static_cast<int>(cut_into_patches(world, {.size = size, .most = Patches::most}, stop).patches.size()) >
+      Patches::most)
     error = Error{
         "", 0, 0,
         "radiosity would cut this scene into more than " + std::to_string(Patches::most) +
@@ -155,7 +156,7 @@ Patches::Patches(const Scene& scene, const PatchSettings& settings, const Stop& 
   world_.emplace(scene, AcceleratorKind::none, std::nullopt, BuildOptions{stop});
   const World<double>& world = *world_;
   const double size = std::isinf(settings.size) ? share_of_extent * extent_of(world) : settings.size;
-  CutScene cut = cut_into_patches(world, size, flat_, most, stop);
+  CutScene cut = cut_into_patches(world, {.size = size, .most = most, .flat = flat_}, stop);
   if (static_cast<int>(cut.patches.size()) > most) {
     too_many_ = true;
     return;

@@ -110,6 +110,15 @@ class RayGenerator {
     return through({static_cast<T>(2 * column - size_.width), static_cast<T>(size_.height - 1 - 2 * row)});
   }
   [[nodiscard]] const Vec3<T>& eye() const { return eye_; }
+  /// The directions from the eye to the picture: corner + x right + y down, x and y in pixels from the place `from`,
+  /// and that from the picture's upper left corner.
+  struct Window {
+    Vec3<T> corner, right, down;
+  };
+  [[nodiscard]] Window window(const Vec2<T>& from) const {
+    return {through({2 * from.x - static_cast<T>(size_.width), static_cast<T>(size_.height) - 2 * from.y}),
+            2 / width_ * right_, -2 / width_ * up_};
+  }
 
   /// Of a ray with this unit direction: through the lens as through a pinhole, for both lie at one distance from the
   /// plane in focus, to which d of the paper leads. A pixel is one of the whole image, also in a cell of its strip.

@@ -1,8 +1,11 @@
 #include "trace/scene_kernel.h"
 
+#include "scene/beam_limits.h"
 #include "scene/cone_limits.h"
+#include "trace/beam_scene.h"
 #include "trace/cone_kernel.h"
 #include "trace/cone_scene.h"
+#include "trace/space_beam_kernel.h"
 
 namespace raywalk {
 
@@ -69,6 +72,8 @@ SceneKernel<T>::SceneKernel(const Scene& scene, const World<T>& world, const std
   if (integrator_ == Integrator::photons) photons_ = std::make_unique<Photons>(scene, world, *emitters_, flat);
   if (integrator_ == Integrator::cones && why_no_cones(scene).empty())
     cones_ = std::make_unique<const Cones>(Cones{cone_bodies_of(scene, flat), flat});
+  if (integrator_ == Integrator::beams && !flat && why_no_space_beams(scene).empty())
+    beams_ = std::make_unique<const BeamFaces>(beam_faces_of(scene));
   if (integrator_ == Integrator::radiosity) radiosity_ = std::make_unique<Radiosity>(scene, world, flat);
 }
 
@@ -108,6 +113,12 @@ Statistics SceneKernel<T>::run(const RayGenerator<T>& camera, const PixelBlock& 
       return trace_cones_watched(world_, cones_->bodies, cones_->flat, camera, block, put, observer);
     else
       return trace_cones(world_, cones_->bodies, cones_->flat, camera, block, put);
+  }
+  if (beams_) {
+    if constexpr (Watcher::watches)
+      return trace_space_beams_watched(world_, *beams_, camera, block, put, observer);
+    else
+      return trace_space_beams(world_, *beams_, camera, block, put);
   }
   if (radiosity_) {
     shoot_light(block.stop);

@@ -2,6 +2,7 @@
 // The kernel of a scene's integrator: the tracer's own are in trace/kernel.h; those of other procedures are compiled
 // here.
 
+#include "trace/beam_faces.h"
 #include "trace/cone_cover.h"
 #include "trace/kernel.h"
 #include "trace/path.h"
@@ -73,6 +74,7 @@ class SceneKernel {
     bool flat;
   };
   std::unique_ptr<const Cones> cones_;
+  std::unique_ptr<const BeamFaces> beams_;  ///< their faces, in space
   PathSettings settings_;
 };
 

@@ -39,7 +39,7 @@ const Camera& image_camera(const State& state) {
 void choose(const State& state, RenderChoices& choices) {
   if (state.walk.bug) {
     const IntegratorTraits& traits = traits_of(choices.integrator);
-    if (traits.is_global || traits.is_flat || traits.has_width) choices.integrator = Integrator::automatic;
+    if (traits.is_global || traits.has_width) choices.integrator = Integrator::automatic;
     choices.numerics = Numerics::naive;
     return;
   }

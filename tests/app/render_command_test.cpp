@@ -310,3 +310,26 @@ TEST_CASE("the partial file's name keeps the folder and the ending, and is one t
   CHECK(new_partial_file(folder / ".png").value() == folder / ".partial.png");
   CHECK_FALSE(new_partial_file(folder / "missing/out.png"));
 }
+
+TEST_CASE("beams make a picture, and a drawing of it; what they cannot do is refused by name") {
+  const Folder folder;
+  const auto refused = [&](std::vector<std::string> words, const std::string& why) {
+    words.insert(words.begin(), {"render"});
+    const Outcome outcome = folder.run(words);
+    INFO(outcome.err);
+    CHECK(outcome.exit_code == 1);
+    CHECK(outcome.err.find(why) != std::string::npos);
+  };
+  REQUIRE(folder.run({"render", classic, "-o", "beams.pfm", "--size", "21x15", "--integrator", "beams"}).exit_code ==
+          0);
+  REQUIRE(folder.run({"render", classic, "-o", "rays.pfm", "--size", "21x15"}).exit_code == 0);
+  CHECK(folder.read("beams.pfm") != folder.read("rays.pfm"));
+  REQUIRE(folder.run({"render", classic, "-o", "out.SVG", "--size", "42x30", "--integrator", "beams"}).exit_code == 0);
+  CHECK(folder.read("out.SVG").find("<title>Transparent Sphere</title>") != std::string::npos);
+  refused({classic, "-o", "no.svg"}, "only beams make a drawing of a picture");
+  refused({classic, "-o", "no.svg", "--integrator", "beams", "--part", "1/2"}, "a drawing has no parts");
+  refused({classic, "-o", "no.svg", "--integrator", "beams", "--stats", "s.json"}, "a drawing has no statistics");
+  refused({"motion_blur", "-o", "no.png", "--integrator", "beams"}, "beams cannot be followed here: ");
+  CHECK_FALSE(std::filesystem::exists(folder / "no.svg"));
+  CHECK_FALSE(std::filesystem::exists(folder / "no.png"));
+}

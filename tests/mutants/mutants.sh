@@ -311,3 +311,24 @@ mutant maps_numbers_used_twice maps trace/bsdf.h 'u = std::clamp(chosen ?' '[[ma
 mutant maps_normal_turns_away maps trace/optics.h 'if (const T height = height_by(bent); height > 0 && height >= least) return bent;' 'return bent;'
 mutant maps_normal_falls_back_at_once maps trace/optics.h 'return height_by(normal) > 0 ? normal : geometric_normal;' 'return geometric_normal;'
 mutant maps_normal_clamped_to_the_horizon maps trace/optics.h 'least = std::min(facing, T(0.05));' 'least = T(1e-3) * facing;'
+
+# Faces through a window, of beams in space.
+mutant faces_behind_seen beam_faces trace/beam_faces.cpp 'const double side = face.plane.above(view.eye) < 0 ? 1 : -1;' 'const double side = 1;'
+mutant faces_farthest_seen beam_faces trace/beam_faces.cpp 'WindowLine nearer{nearness.a - its.a, nearness.b - its.b, nearness.c - its.c,' \
+  'WindowLine nearer{its.a - nearness.a, its.b - nearness.b, its.c - nearness.c,'
+mutant faces_crossings_forgotten beam_faces trace/beam_faces.cpp 'if (sides.inside && sides.outside) lines.push_back(nearer);' ''
+mutant faces_higher_primitive_first beam_faces trace/beam_faces.cpp 'faces[other].primitive <= face.primitive' 'faces[other].primitive >= face.primitive'
+mutant faces_seen_before_the_mirror beam_faces trace/beam_faces.cpp 'if (beyond != nullptr) edges.push_back(view.above(*beyond, face.plane));' ''
+mutant faces_far_too_near beam_faces trace/beam_faces.cpp 'far = std::max(far, dot(axis, view.direction(place)) / nearness);' 'far = std::max(far, 0.8 * dot(axis, view.direction(place)) / nearness);'
+mutant faces_region_too_small beam_faces trace/beam_faces.cpp 'if (most < side.offset - 1e-9 * terms) return std::nullopt;' 'if (most < side.offset + 1e-2 * terms) return std::nullopt;'
+mutant faces_shadow_before_the_blocker beam_faces trace/beam_faces.cpp 'lines.push_back(view.above({side * face.plane.normal, side * face.plane.offset}, on));' ''
+mutant faces_shadow_turned beam_faces trace/beam_faces.cpp 'light.is_distant ? cross(to - from, light.place) : cross(from - light.place, to - light.place);
+    lines.push_back' 'light.is_distant ? cross(light.place, to - from) : cross(from - light.place, to - light.place);
+    lines.push_back'
+mutant faces_beyond_the_light_hide_it beam_faces trace/beam_faces.h 'lines.back().c -= 1;' ''
+mutant faces_filters_stop beam_faces trace/beam_faces.h '(does == ShadowRole::filters ? piece.weakened : piece.stopped) = true;' 'piece.stopped = true;'
+mutant faces_round_shade_themselves beam_faces trace/beam_faces.h 'return &face != &other && (other.is_flat || face.primitive != other.primitive);' 'return &face != &other;'
+mutant window_halves_overlap beam_faces trace/beam_window.cpp 'if (here < 0 || starts_on) halves.outside.push_back(from);' 'halves.outside.push_back(from);'
+mutant window_crossing_misplaced beam_faces trace/beam_window.cpp 'from + here / (here - there) * (to - from)' 'from + there / (there - here) * (to - from)'
+mutant window_mirrored_eye_only beam_faces trace/beam_window.cpp 'mirror.above(eye) * mirror.normal, turned(corner)' 'mirror.above(eye) * mirror.normal, corner'
+mutant window_above_behind_the_eye beam_faces trace/beam_window.cpp 'const double sign = height < 0 ? -1 : 1;' 'const double sign = 1;'

@@ -156,7 +156,6 @@ TEST_CASE("beams are followed only where every outline is known") {
   scene.camera.eye.z = 1;
   CHECK(why_no_beams(scene) == "the eye does not lie in z = 0");
   CHECK(object_against_beams(scene).empty());
-  CHECK_FALSE(record_pixel(lit(), {16, 11}, 3, 5).of_beams());
 }
 
 TEST_CASE("random plans of beams have finite shades and whole walks") {
@@ -196,9 +195,105 @@ TEST_CASE("every line and every message of beam tracing is reached") {
       lines.insert(timeline.event(position - 1).line);
     }
   }
+  const Timeline pixel = record_pixel(lit(), {16, 11}, 3, 5);
+  for (int position = 1; position <= pixel.steps(); ++position) messages.insert(describe(lit(), pixel, position).id);
   CHECK(lines.size() == beam_line_count);
   for (const std::string_view id : test::beam_messages) {
     INFO(id);
     CHECK(messages.count(id) == 1);
   }
+}
+
+namespace {
+
+/// A light's width above a matt wall along x, which is seen from below, and something between them.
+Scene penumbra(const ObjectShape& blocker, const AnyLight& light) {
+  Scene scene = plain_scene(Integrator::beams);
+  Material matt;
+  matt.diffuse = Rgbd(1.0);
+  matt.ambient = Rgbd(0.0);
+  scene.camera.eye = {0, -1.5, 0};
+  scene.camera.look_at = {0, 0, 0};
+  scene.objects = {{"Wall", Box<double>{{-20, 0, -1}, {20, 1, 1}}, matt}, {"Blocker", blocker, shining(Rgbd(0.0))}};
+  scene.lights = {{"Tube", Rgbd(1.0), light}};
+  return scene;
+}
+
+/// Of each part of the wall, where its middle is and how much of the light is said to be uncovered.
+std::vector<std::pair<double, double>> uncovered_along(const Timeline& timeline) {
+  std::vector<std::pair<double, double>> found;
+  for (const RayRecord& ray : timeline.rays())
+    if (ray.kind == RayKind::shadow && ray.formed) found.emplace_back(ray.origin.x, max_component(ray.transmittance));
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("a light's width behind an edge and behind a circle is seen as closed forms say") {
+  // The light from (-3, -6) to (-1, -6); what is between stands at y = -3, halfway from the wall.
+  const RectangleLight tube{{-3, -6, -1}, {2, 0, 0}, {0, 0, 2}, 4};
+  int partly = 0;
+  SECTION("an edge") {
+    // Everything left of x = -1.2 is hidden: of the light, what is left of 2 (-1.2) - x.
+    const Timeline timeline = record_strip(penumbra(Box<double>{{-30, -3, -1}, {-1.2, -2.999999, 1}}, tube));
+    for (const auto& [x, seen] : uncovered_along(timeline)) {
+      CAPTURE(x);
+      const double expected = std::clamp((-1 - (2 * -1.2 - x)) / 2, 0.0, 1.0);
+      CHECK(seen == Approx(expected).margin(1e-6));
+      partly += expected > 0 && expected < 1;
+    }
+  }
+  SECTION("a circle") {
+    const Vec2d centre{-1.3, -3};
+    const double radius = 0.4;
+    const Timeline timeline = record_strip(penumbra(Sphere<double>{{centre.x, centre.y, 0}, radius}, tube));
+    for (const auto& [x, seen] : uncovered_along(timeline)) {
+      CAPTURE(x);
+      // The tangents from (x, 0), and where they meet the light's line.
+      const double away = length(centre - Vec2d(x, 0)), half = std::asin(radius / away);
+      const double towards = std::atan2(centre.x - x, -centre.y);
+      const double low = x + 6 * std::tan(towards - half), high = x + 6 * std::tan(towards + half);
+      const double hidden = std::max(std::min(high, -1.0) - std::max(low, -3.0), 0.0) / 2;
+      CHECK(seen == Approx(1 - hidden).margin(1e-12));
+      partly += hidden > 0 && hidden < 1;
+    }
+  }
+  CHECK(partly > 3);
+}
+
+TEST_CASE("of a light with an extent the walk says how much is uncovered, and draws its width") {
+  const RectangleLight tube{{-3, -6, -1}, {2, 0, 0}, {0, 0, 2}, 4};
+  const Scene scene = penumbra(Box<double>{{-30, -3, -1}, {-1.2, -2.9, 1}}, tube);
+  const Timeline timeline = record_strip(scene);
+  std::set<std::string_view> said;
+  for (int position = 0; position <= timeline.steps(); ++position) {
+    const Message message = describe(scene, timeline, position);
+    said.insert(message.id);
+    if (message.id == "walk.light_partly") CHECK(std::get<std::string>(message.arguments.front().value) == "Tube");
+  }
+  for (const std::string_view id : {"walk.light_partly", "walk.light_uncovered", "walk.light_covered_by"})
+    CHECK(said.contains(id));
+  for (const RayRecord& ray : timeline.rays())
+    if (ray.kind == RayKind::shadow && ray.formed) CHECK(ray.end_radius > 0);
+}
+
+TEST_CASE("a pixel of the picture is walked by beams, too, to the shade that it has there") {
+  Scene scene = lit();
+  const Timeline timeline = record_pixel(scene, {16, 12}, 9, 6);
+  REQUIRE(timeline.of_beams());
+  CHECK_FALSE(timeline.is_flat());
+  const auto [first, last] = timeline.rays_of_pixel(0);
+  double sum = 0;
+  for (int i = first; i < last; ++i) {
+    const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(i)];
+    if (ray.kind == RayKind::beam && ray.parent == first)
+      sum += timeline.beams()[static_cast<std::size_t>(ray.beam)].coverage;
+  }
+  CHECK(sum == Approx(1).epsilon(1e-12));
+  std::set<std::string_view> said;
+  for (int position = 0; position <= timeline.steps(); ++position) said.insert(describe(scene, timeline, position).id);
+  CHECK(said.contains("walk.image_beam_formed"));
+  CHECK(said.contains("walk.part_added") + said.contains("walk.last_part_added") > 0);
+  scene.objects[0].motion = {{0, {0, 0, 0}}, {1, {1, 0, 0}}};
+  CHECK_FALSE(record_pixel(scene, {16, 12}, 9, 6).of_beams());
 }

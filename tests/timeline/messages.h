@@ -67,7 +67,8 @@ inline constexpr std::array<std::string_view, 20> radiosity_messages{
     "walk.patch_emptied",  "walk.looked_up",      "walk.looked_up_dark", "walk.looked_up_nothing"};
 
 /// Of BEAM TRACING alone.
-inline constexpr std::array<std::string_view, 21> beam_messages{"walk.beam_formed",
+inline constexpr std::array<std::string_view, 24> beam_messages{"walk.beam_formed",
+                                                                "walk.image_beam_formed",
                                                                 "walk.beam_cut",
                                                                 "walk.beam_whole",
                                                                 "walk.beam_sees_nothing",
@@ -87,6 +88,8 @@ inline constexpr std::array<std::string_view, 21> beam_messages{"walk.beam_forme
                                                                 "walk.part_sends_no_rays",
                                                                 "walk.part_sends_rays",
                                                                 "walk.part_added",
+                                                                "walk.part_added_off",
+                                                                "walk.last_part_added_off",
                                                                 "walk.last_part_added"};
 
 /// Of CONE TRACING alone.

@@ -103,17 +103,21 @@ TEST_CASE("every line of pseudocode heads its statement in radiosity") {
   }
 }
 
-TEST_CASE("every line of pseudocode heads its statement in the beam tracer") {
-  const std::string source = test::source_of(RAYWALK_SOURCE_DIR "/src/trace/beams.h");
-  const auto beam_drift = [](const std::string& text) {
-    return test::drift(text, beam_pseudocode,
-                       {std::pair{Procedure::beam_tracing, "void main_algorithm("},
-                        std::pair{Procedure::shade_parts, "Rgbd shade_parts("}});
-  };
-  REQUIRE_FALSE(source.empty());
-  CHECK(beam_drift(source) == "");
-  CHECK_THAT(beam_drift(replaced(source, "// Shade its middle", "// Shade one of its points")),
-             contains("expected `// Shade its middle`, found `// Shade one of its points`"));
+TEST_CASE("every line of pseudocode heads its statement in the beam tracers") {
+  for (const auto& [file, procedure] :
+       {std::pair{"beams.h", "Rgbd shade_parts("}, std::pair{"space_beams.h", "Shades shade_parts("}}) {
+    CAPTURE(file);
+    const std::string source = test::source_of(std::string(RAYWALK_SOURCE_DIR "/src/trace/") + file);
+    const auto beam_drift = [name = procedure](const std::string& text) {
+      return test::drift(
+          text, beam_pseudocode,
+          {std::pair{Procedure::beam_tracing, "void main_algorithm("}, std::pair{Procedure::shade_parts, name}});
+    };
+    REQUIRE_FALSE(source.empty());
+    CHECK(beam_drift(source) == "");
+    CHECK_THAT(beam_drift(replaced(source, "// Shade its middle", "// Shade one of its points")),
+               contains("expected `// Shade its middle`, found `// Shade one of its points`"));
+  }
   int number = line_count + path_line_count + photon_line_count + radiosity_line_count;
   for (const PseudocodeLine& line : beam_pseudocode) {
     CHECK(static_cast<int>(line.line) == number++);

@@ -7,7 +7,7 @@ set(page "${CMAKE_SOURCE_DIR}/src/gui/web")
 set(smallest accel/watched.cpp accel/accelerator_naive.cpp trace/kernel_naive.cpp trace/kernel_faulty.cpp
   trace/kernel_filtering.cpp trace/kernel_float.cpp trace/scene_kernel.cpp trace/photon_kernel.cpp
   trace/photon_lights.cpp trace/photon_map.cpp trace/microfacets.cpp trace/rough_dielectric.cpp trace/radiosity_kernel.cpp trace/radiosity_pass.cpp trace/patch_cutter.cpp trace/patches.cpp trace/patch_elements.cpp
-  trace/patch_light.cpp trace/beam_kernel.cpp trace/cone_kernel.cpp trace/cone_bodies.cpp trace/cone_scene.cpp trace/cone_cover.cpp trace/ray_cone.cpp trace/unfolded_plan.cpp trace/outlines.cpp
+  trace/patch_light.cpp trace/beam_kernel.cpp trace/space_beam_kernel.cpp trace/beam_faces.cpp trace/beam_scene.cpp trace/beam_window.cpp trace/cone_kernel.cpp trace/cone_bodies.cpp trace/cone_scene.cpp trace/cone_cover.cpp trace/ray_cone.cpp trace/unfolded_plan.cpp trace/outlines.cpp
   trace/checker_filter.cpp trace/texture_pyramid.cpp trace/clear_sky.cpp trace/bodies.cpp trace/world.cpp
   accel/structures.cpp accel/wide_tree.cpp accel/primitives.cpp accel/search_record.cpp math/elementary/big_float.cpp)
 list(TRANSFORM smallest PREPEND "${CMAKE_SOURCE_DIR}/src/")

@@ -28,7 +28,8 @@ class BeamPainter {
     const auto count = static_cast<int>(timeline_.rays_at(shown_.position).size());
     for (int index = 0; index < count; ++index)
       if (ray(index).beam >= 0 && is_seen(index)) draw_beam(index);
-    for (int index = 0; index < count && timeline_.of_cones(); ++index) draw_edges(index);
+    for (int index = 0; index < count; ++index)
+      if (timeline_.of_cones() || ray(index).end_radius > 0) draw_edges(index);
     const int current = timeline_.current_ray(shown_.position);
     const int mirrored = part_ >= 0 && current != part_ && ray(current).beam >= 0 ? current
                          : part_ >= 0                                             ? ray(part_).parent

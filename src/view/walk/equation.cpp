@@ -427,11 +427,13 @@ class EquationWriter {
       row(Kind::total, "s = ", formed.spread);
       return;
     }
-    row(Kind::formula, "D(x) = D₀ + x (D₁ − D₀)");
+    if (timeline_.is_flat()) row(Kind::formula, "D(x) = D₀ + x (D₁ − D₀)");
     row(Kind::numbers, text("object.eye", state_.appearance.language), formed.parent < 0 ? " = " : "′ = ", formed.apex);
     places(formed.begin, formed.end);
   }
-  void places(double begin, double end) { row(Kind::numbers, begin, " ≤ x ≤ ", end); }
+  void places(double begin, double end) {
+    if (timeline_.is_flat()) row(Kind::numbers, begin, " ≤ x ≤ ", end);
+  }
   void write(const BeamCut& cut) {
     for (const BeamPiece& piece : cut.pieces)
       row(Kind::note, piece.object < 0 ? std::string(text("equation.background", state_.appearance.language))
@@ -441,7 +443,7 @@ class EquationWriter {
     if (timeline_.of_cones()) return row(Kind::total, Word{"equation.of_cone"}, " = ", begun.coverage);
     const BeamRecord& part = timeline_.beams()[static_cast<std::size_t>(current().beam)];
     places(part.begin, part.end);
-    row(Kind::formula, Word{"equation.coverage"}, " = x₁ − x₀");
+    if (timeline_.is_flat()) row(Kind::formula, Word{"equation.coverage"}, " = x₁ − x₀");
     row(Kind::total, Word{"equation.coverage"}, " = ", begun.coverage);
   }
   void write(const PartShaded& sum) {

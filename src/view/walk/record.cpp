@@ -125,7 +125,7 @@ void record_again(State& state) {
     inform(state, fill("notice.too_many_samples", state.appearance.language, {{"samples", recorded.samples}}));
   RenderChoices wished = state.scene().render;
   choose(state, wished);
-  if (traits_of(wished.integrator).is_flat && !state.walk.pixel && !recorded.timeline.of_beams())
+  if (wished.integrator == Integrator::beams && !state.walk.pixel && !recorded.timeline.of_beams())
     inform(state,
            fill("notice.no_beams", state.appearance.language, {{"object", object_against_beams(state.scene())}}));
   if (wished.integrator == Integrator::cones && !recorded.timeline.of_cones())

@@ -1,0 +1,177 @@
+#include "render/beam_drawing.h"
+
+#include "image/srgb.h"
+#include "text/markup.h"
+#include "trace/beam_scene.h"
+#include "trace/space_beam_kernel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <utility>
+
+namespace raywalk {
+
+namespace {
+
+using Colour = std::array<std::uint8_t, 3>;
+
+constexpr double widest_beam = 32;  // pixels along the side of a beam
+constexpr std::size_t most_polygons = 2'000'000;
+
+Colour colour_of(const Rgbd& shade, Encoding encoding) {
+  const auto byte = [&](double linear) { return to_byte(static_cast<float>(linear), encoding); };
+  return {byte(shade.x), byte(shade.y), byte(shade.z)};
+}
+
+bool holds(const std::vector<Vec2d>& corners, const Vec2d& place) {
+  bool left = false, right = false;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vec2d& from = corners[i];
+    const double side = cross(corners[i + 1 == corners.size() ? 0 : i + 1] - from, place - from);
+    left = left || side > 0;
+    right = right || side < 0;
+  }
+  return !(left && right);
+}
+
+Vec2d mean_of(const std::vector<Vec2d>& corners) {
+  Vec2d sum(0.0);
+  for (const Vec2d& corner : corners) sum += corner;
+  return sum / static_cast<double>(corners.size());
+}
+
+class Drawer {
+ public:
+  Drawer(const Scene& scene, const BeamDrawingSettings& settings)
+      : scene_(scene),
+        settings_(settings),
+        world_(scene),
+        faces_(beam_faces_of(scene, settings.stop)),
+        camera_(scene, settings.size, settings.size) {}
+
+  /// Adds what is seen in a rectangle, as few polygons as show how colours change.
+  void draw(const Vec2d& from, const Vec2d& to) { draw(from, to, parts(from, to)); }
+
+  [[nodiscard]] std::size_t polygons() const { return polygons_; }
+
+  [[nodiscard]] std::string svg() const {
+    const ImageSize size = settings_.size;
+    // Strokes of the same colour close the seams that browsers leave between neighbours, however large they are shown.
+    std::string text = fmt::format(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" "
+        "fill=\"currentColor\" stroke=\"currentColor\" stroke-width=\".6\" stroke-linejoin=\"round\">\n",
+        size.width, size.height);
+    if (!scene_.title.empty()) text += "<title>" + escaped(scene_.title) + "</title>\n";
+    for (const auto& [object, colours] : objects_) {
+      text += "<g>";
+      if (object >= 0) text += "<title>" + escaped(scene_.objects[static_cast<std::size_t>(object)].name) + "</title>";
+      text += "\n";
+      for (const auto& [colour, outline] : colours)
+        text += fmt::format("<path vector-effect=\"non-scaling-stroke\" color=\"#{:02x}{:02x}{:02x}\" d=\"{}\"/>\n",
+                            colour[0], colour[1], colour[2], outline);
+      text += "</g>\n";
+    }
+    return text + "</svg>\n";
+  }
+
+ private:
+  [[nodiscard]] std::vector<BeamPolygon> parts(const Vec2d& from, const Vec2d& to) const {
+    return parts_of_picture(world_, faces_, camera_, from, to, settings_.stop);
+  }
+
+  void draw(const Vec2d& from, const Vec2d& to, const std::vector<BeamPolygon>& whole) {
+    if (polygons_ > most_polygons) return;
+    const Vec2d middle = (from + to) / 2.0;
+    if (std::max(to.x - from.x, to.y - from.y) > settings_.finest * (1 + 1e-9)) {
+      const std::array<std::pair<Vec2d, Vec2d>, 4> quarters{{{from, middle},
+                                                             {{middle.x, from.y}, {to.x, middle.y}},
+                                                             {{from.x, middle.y}, {middle.x, to.y}},
+                                                             {middle, to}}};
+      std::array<std::vector<BeamPolygon>, 4> finer;
+      bool changes = false;
+      for (std::size_t i = 0; i < 4; ++i) {
+        finer[i] = parts(quarters[i].first, quarters[i].second);
+        changes = changes || differ(whole, finer[i]);
+      }
+      if (changes) {
+        for (std::size_t i = 0; i < 4; ++i) draw(quarters[i].first, quarters[i].second, finer[i]);
+        return;
+      }
+    }
+    for (const BeamPolygon& part : whole) add(part);
+  }
+
+  /// Whether what is seen from nearer has another colour than that of which it is a part.
+  [[nodiscard]] bool differ(const std::vector<BeamPolygon>& whole, const std::vector<BeamPolygon>& finer) const {
+    return std::any_of(finer.begin(), finer.end(), [&](const BeamPolygon& part) {
+      const Vec2d middle = mean_of(part.corners);
+      const auto of = std::find_if(whole.begin(), whole.end(), [&](const BeamPolygon& each) {
+        return each.object == part.object && holds(each.corners, middle);
+      });
+      if (of == whole.end()) return false;
+      const Colour a = colour_of(of->shade, scene_.encoding), b = colour_of(part.shade, scene_.encoding);
+      int most = 0;
+      for (std::size_t i = 0; i < 3; ++i) most = std::max(most, std::abs(a[i] - b[i]));
+      return most > settings_.tolerance;
+    });
+  }
+
+  void add(const BeamPolygon& part) {
+    ++polygons_;
+    std::string& outline = objects_[part.object][colour_of(part.shade, scene_.encoding)];
+    char command = 'M';
+    for (const Vec2d& corner : part.corners) {
+      outline += fmt::format("{}{} {}", command, number(corner.x), number(corner.y));
+      command = 'L';
+    }
+    outline += 'Z';
+  }
+
+  /// To a thousandth of a pixel.
+  [[nodiscard]] static std::string number(double value) {
+    std::string text = fmt::format("{:.3f}", value);
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+    return text == "-0" ? "0" : text;
+  }
+
+  const Scene& scene_;
+  const BeamDrawingSettings& settings_;
+  World<double> world_;
+  BeamFaces faces_;
+  RayGenerator<double> camera_;
+  std::map<int, std::map<Colour, std::string>> objects_;  ///< of each colour the outlines
+  std::size_t polygons_ = 0;
+};
+
+}  // namespace
+
+Result<BeamDrawing> beam_drawing(const Scene& scene, const BeamDrawingSettings& settings) {
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  const double width = settings.size.width, height = settings.size.height;
+  try {
+    Drawer drawer(scene, settings);
+    for (double y = 0; y < height; y += widest_beam) {
+      for (double x = 0; x < width; x += widest_beam)
+        drawer.draw({x, y}, {std::min(x + widest_beam, width), std::min(y + widest_beam, height)});
+      const double done = std::min((y + widest_beam) / height, 1.0);
+      const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+      if (settings.progress) settings.progress({done, seconds, seconds * (1 - done) / done});
+    }
+    if (drawer.polygons() > most_polygons)
+      return tl::unexpected(Error{"", 0, 0, "the drawing would have more than 2,000,000 polygons",
+                                  "choose a smaller --size, or a picture of pixels"});
+    return BeamDrawing{drawer.svg(), drawer.polygons()};
+  } catch (const Stopped&) {
+    return BeamDrawing{"", 0, false};
+  }
+}
+
+}  // namespace raywalk

@@ -1,0 +1,32 @@
+#pragma once
+// Beam tracing in space as the rest of the program runs it.
+
+#include "trace/beam_faces.h"
+#include "trace/kernel.h"
+
+#include <vector>
+
+namespace raywalk {
+
+/// The pixels of a block. `faces` are those of the world's scene.
+template <class T>
+Statistics trace_space_beams(const World<T>& world, const BeamFaces& faces, const RayGenerator<T>& camera,
+                             const PixelBlock& block, const PutPixel<T>& put);
+
+/// The same observed by `observer`: same bits, same statistics.
+template <class T>
+Statistics trace_space_beams_watched(const World<T>& world, const BeamFaces& faces, const RayGenerator<T>& camera,
+                                     const PixelBlock& block, const PutPixel<T>& put, Observer& observer);
+
+/// A polygon of a picture, in pixels from its upper left corner, with one shade.
+struct BeamPolygon {
+  std::vector<Vec2d> corners;
+  Rgbd shade{0.0};
+  int object = -1;  ///< that is seen there; -1: none
+};
+/// The polygons that are a rectangle of a picture together.
+[[nodiscard]] std::vector<BeamPolygon> parts_of_picture(const World<double>& world, const BeamFaces& faces,
+                                                        const RayGenerator<double>& camera, const Vec2d& from,
+                                                        const Vec2d& to, const Stop& stop = {});
+
+}  // namespace raywalk

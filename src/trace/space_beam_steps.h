@@ -1,0 +1,595 @@
+#pragma once
+// What the statements of trace/space_beams.h do. Included by it alone.
+
+#include "trace/part_steps.h"
+#include "trace/representable.h"
+#include "trace/shadow_transmittance.h"
+#include "trace/space_beams.h"
+#include "trace/spawn_ray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace raywalk {
+
+namespace detail {
+
+/// The pattern of a part, which may be the mean of a checker's squares.
+template <class T>
+struct PatternOfPart {
+  const World<T>& world;
+  bool has_mean;
+
+  [[nodiscard]] bool filters(const typename World<T>::Surface& /*surface*/) const { return has_mean; }
+  void arrive(const Vec3<T>& /*direction*/, const Hit<T>& /*hit*/, const SurfacePoint<T>& /*point*/, T /*time*/,
+              const Vec3<T>& /*shading_normal*/) {}
+  [[nodiscard]] Rgb<T> pattern(const Hit<T>& hit, const SurfacePoint<T>& /*point*/, T /*time*/) const {
+    const auto& checker = *world.surface(hit.primitive).checker;
+    return (checker.even + checker.odd) / T(2);
+  }
+};
+
+}  // namespace detail
+
+template <class T, class Watcher>
+SpaceBeamTracer<T, Watcher>::SpaceBeamTracer(const World<T>& world, const BeamFaces& faces,
+                                             const RayGenerator<T>& camera, Observer& observer, const Stop& stop)
+    : world_(world),
+      faces_(faces),
+      camera_(camera),
+      observer_(observer),
+      stop_(stop),
+      far_(faces.far_from(Vec3d(camera.eye()))),
+      nested_(world),
+      tracer_(world, camera, no_observer_, stop) {}
+
+template <class T, class Watcher>
+void SpaceBeamTracer<T, Watcher>::begin(const Pixel& pixel) {
+  stop_.check();
+  note(Line::beam_for_each_pixel, 0, [&] { return PixelBegun{pixel.column, pixel.row, pixel.sample}; });
+}
+
+/// Of a pixel of k x k samples, each is the beam of one of its cells; of another number, each is the whole.
+template <class T, class Watcher>
+auto SpaceBeamTracer<T, Watcher>::form_beam(const Pixel& pixel) -> Beam {
+  const int samples = camera_.sampling().per_pixel;
+  int edge = 1;
+  while (edge * edge < samples) ++edge;
+  if (edge * edge != samples) edge = 1;
+  const int cell = pixel.sample % (edge * edge);
+  const double side = 1.0 / edge;
+  const Vec2d from{pixel.column + side * (cell % edge), pixel.row + side * (cell / edge)};
+  Beam beam = beam_between(from, {from.x + side, from.y + side});
+  note(Line::form_beam, 0, [&] {
+    return BeamFormed{beam.number, -1, beam.view.eye, 0, 1, drawn_area(beam, {beam.window}), Rgbd(beam.throughput)};
+  });
+  return beam;
+}
+
+template <class T, class Watcher>
+auto SpaceBeamTracer<T, Watcher>::beam_between(const Vec2d& from, const Vec2d& to) -> Beam {
+  const auto window = camera_.window(Vec2<T>(from));
+  const Vec2d size = to - from;
+  Beam beam;
+  beam.view = {Vec3d(camera_.eye()), Vec3d(window.corner), Vec3d(window.right), Vec3d(window.down),
+               std::max({size.x, size.y, 1.0})};
+  beam.window = {{0, 0}, {size.x, 0}, size, {0, size.y}};
+  beam.pixel = size.x * size.y;
+  beam.number = rays_formed_++;
+  if (nested_.any_around_eye()) {
+    const Vec3<T> middle(normalize(beam.view.direction(size / 2.0)));
+    beam.medium = nested_.at_eye(Ray<T>{camera_.eye(), middle, {}, camera_.shutter_open()}, statistics_.tests);
+  }
+  ++statistics_.formed(RayKind::primary);
+  return beam;
+}
+
+template <class T, class Watcher>
+auto SpaceBeamTracer<T, Watcher>::parts_of(const Vec2d& from, const Vec2d& to) -> std::vector<ShadedPiece<T>> {
+  const Beam beam = beam_between(from, to);
+  std::vector<ShadedPiece<T>> pieces = shade_parts(1, beam, cut(Line::cut_beam, 0, beam)).pieces;
+  for (ShadedPiece<T>& piece : pieces)
+    for (Vec2d& corner : piece.window) corner += from;
+  return pieces;
+}
+
+template <class T, class Watcher>
+auto SpaceBeamTracer<T, Watcher>::cut(Line line, int depth, const Beam& beam) -> std::vector<Part> {
+  stop_.check();
+  const BeamPlane* mirror = nullptr;
+  BeamPlane towards;
+  if (beam.mirror != nullptr) {
+    // The image of the eye lies behind it.
+    const bool front = beam.mirror->plane.above(beam.view.eye) < 0;
+    towards = front ? beam.mirror->plane : BeamPlane{-beam.mirror->plane.normal, -beam.mirror->plane.offset};
+    mirror = &towards;
+  }
+  std::vector<Part> parts;
+  for (SeenFace& seen : faces_seen(faces_, beam.view, beam.window, mirror)) {
+    Part whole;
+    static_cast<SeenFace&>(whole) = std::move(seen);
+    for (Part& piece : divided_by_shadows(beam, whole)) divide_by_squares(parts, beam, std::move(piece));
+  }
+  for (Part& part : parts) {
+    part.number = rays_formed_++;
+    meet(part, beam);
+    ++statistics_.formed(RayKind::beam);
+    ++statistics_.ends(part.at ? Ending::hit : Ending::missed);
+  }
+  note(line, depth, [&] {
+    BeamCut cut{beam.number, {}};
+    for (const Part& part : parts) {
+      const double coverage = area_of(part.window) / beam.pixel;
+      const Vec3d origin(part.ray.origin);
+      BeamPiece piece{part.number, part.face < 0 ? -1 : faces_[part.face].object,
+                      0,           coverage,
+                      coverage,    drawn_area(beam, part),
+                      origin,      origin + Vec3d(part.ray.direction),
+                      Vec3d(0.0)};
+      if (part.at) piece.point = Vec3d(part.at->position), piece.normal = Vec3d(part.at->outward_normal);
+      cut.pieces.push_back(std::move(piece));
+    }
+    return cut;
+  });
+  return parts;
+}
+
+/// Light from a point or a direction reaches all of a part, or nothing of it; a penumbra has no edge.
+template <class T, class Watcher>
+auto SpaceBeamTracer<T, Watcher>::divided_by_shadows(const Beam& beam, const Part& whole) -> std::vector<Part> {
+  std::vector<Part> pieces{whole};
+  if (whole.face >= 0 && shows_shadows(faces_[whole.face])) {
+    for (std::size_t index = 0; index < std::min(world_.lights.size(), most_divided); ++index) {
+      const Light& light = world_.lights[index];
+      if (has_extent(light)) continue;
+      const std::uint64_t bit = std::uint64_t{1} << index;
+      std::vector<Part> divided;
+      for (const Part& piece : pieces)
+        for (LitPiece& lit : shadows_on(faces_, beam.view, piece, {Vec3d(light.place), light.is_distant},
+                                        [&](int primitive) { return role_of(world_.shadow_roles, primitive); })) {
+          Part part = piece;
+          part.window = std::move(lit.window);
+          if (lit.stopped) part.stopped |= bit;
+          if (lit.weakened || world_.absorbs) part.unsure |= bit;
+          divided.push_back(std::move(part));
+        }
+      pieces = std::move(divided);
+    }
+  }
+  return pieces;
+}
+
+/// The places of a checker's lines are linear in what a flat face is seen at.
+template <class T, class Watcher>
+void SpaceBeamTracer<T, Watcher>::divide_by_squares(std::vector<Part>& parts, const Beam& beam, Part&& whole) const {
+  const auto& surface = world_.surface(whole.face < 0 ? 0 : faces_[whole.face].primitive);
+  if (whole.face < 0 || !faces_[whole.face].is_flat || !surface.checker || surface.texture || world_.maps(surface))
+    return parts.push_back(std::move(whole));
+  const BeamFace& face = faces_[whole.face];
+  const double size = static_cast<double>(surface.checker->size);
+  const auto on_face = [&](const Vec2d& place) {
+    return beam.view.eye + beam.view.direction(place) / whole.nearness.at(place);
+  };
+  const auto uv = [&](const Vec3d& at) {
+    return Vec2d(world_.accelerator.primitives().uv_at(
+        face.primitive, SurfacePoint<T>{Vec3<T>(at), Vec3<T>(face.plane.normal)}, face.part, camera_.shutter_open()));
+  };
+  const Vec3d origin = on_face(middle_of(whole.window));
+  const Vec2d start = uv(origin);
+  const PlaneAxes<double> axes = plane_axes(face.plane.normal);
+  const Vec2d along_u = (uv(origin + size * axes.u) - start) / size,
+              along_v = (uv(origin + size * axes.v) - start) / size;
+  std::vector<WindowLine> lines;
+  for (const int axis : {0, 1}) {
+    const Vec3d growth = along_u[axis] * axes.u + along_v[axis] * axes.v;
+    double low = infinity<double>, high = -infinity<double>;
+    for (const Vec2d& place : whole.window) {
+      const bool endless = !(whole.nearness.at(place) > whole.nearness.slack);
+      const double at = endless ? infinity<double> : (start[axis] + dot(growth, on_face(place) - origin)) / size;
+      low = std::min(low, at), high = std::max(high, at);
+    }
+    if (!(high - low < most_squares)) {
+      whole.has_mean = true;
+      return parts.push_back(std::move(whole));
+    }
+    for (double line = std::ceil(low); line <= high; ++line)
+      lines.push_back(beam.view.above({growth, dot(growth, origin) + line * size - start[axis]}, face.plane));
+  }
+  std::vector<Part> pieces{std::move(whole)};
+  for (const WindowLine& line : lines)
+    for (std::size_t i = 0, before = pieces.size(); i < before; ++i) {
+      WindowHalves halves = halves_of(pieces[i].window, line);
+      if (halves.inside.empty() || halves.outside.empty()) continue;
+      pieces.push_back(pieces[i]);
+      pieces.back().window = std::move(halves.outside);
+      pieces[i].window = std::move(halves.inside);
+    }
+  for (Part& piece : pieces) parts.push_back(std::move(piece));
+}
+
+template <class T, class Watcher>
+bool SpaceBeamTracer<T, Watcher>::shows_shadows(const BeamFace& face) const {
+  const auto& surface = world_.surface(face.primitive);
+  return world_.occludes && world_.effects.used(Effect::shadows) &&
+         !(is_black(surface.diffuse) && is_black(surface.specular) && world_.maps(surface) == nullptr);
+}
+
+/// The ray in the middle of a part, and what it meets: what all of the part sees.
+template <class T, class Watcher>
+void SpaceBeamTracer<T, Watcher>::meet(Part& part, const Beam& beam) {
+  const Vec2d middle = middle_of(part.window);
+  const Vec3d direction = beam.view.direction(middle);
+  const double size = length(direction);
+  double start = 0;
+  if (beam.mirror != nullptr) start = 1 / beam.view.nearness(beam.mirror->plane).at(middle);
+  part.ray = {Vec3<T>(beam.view.eye + start * direction), Vec3<T>(direction / size), beam.departure,
+              camera_.shutter_open()};
+  if (part.face < 0) return;
+  const BeamFace& face = faces_[part.face];
+  const Hit<T> hit{static_cast<T>((1 / part.nearness.at(middle) - start) * size), face.primitive, face.part};
+  const detail::MiddleOfPart<T> ray{part.ray, part.number, beam.medium};
+  detail::PatternOfPart<T> pattern{world_, part.has_mean};
+  part.at = prepare_vertex<AllEffects>(world_, nested_, ray, hit, statistics_, pattern);
+  part.ambient = part.at->values().ambient;
+  if (part.at->mapped) return;
+  if (part.has_mean)
+    part.ambient *= pattern.pattern(hit, {}, part.ray.time);
+  else
+    texture(part.ambient, *part.at->surface, world_.accelerator.primitives(), hit.primitive,
+            SurfacePoint<T>{part.at->position, part.at->outward_normal}, hit.part, part.ray.time);
+}
+
+template <class T, class Watcher>
+BeamArea SpaceBeamTracer<T, Watcher>::drawn_area(const Beam& beam, const SeenFace& part) const {
+  const Vec3d middle = beam.view.direction(middle_of(part.window));
+  // Seen from above, to the side; where the view goes straight down, along the window.
+  const Vec3d up(0, 0, 1), level = cross(middle, up);
+  const Vec3d aside = length(level) > 1e-6 * length(middle) ? level : beam.view.right;
+  const auto off = [&](const Vec2d& place) {
+    const Vec3d direction = beam.view.direction(place);
+    return dot(direction, aside) / dot(direction, middle);
+  };
+  const auto [left, right] = std::minmax_element(part.window.begin(), part.window.end(),
+                                                 [&](const Vec2d& a, const Vec2d& b) { return off(a) < off(b); });
+  BeamArea area;
+  for (const Vec2d& place : {*left, *right}) {
+    const Vec3d direction = beam.view.direction(place);
+    const double start = beam.mirror == nullptr ? 0 : 1 / beam.view.nearness(beam.mirror->plane).at(place);
+    const double farthest = start + far_ / length(direction);
+    const double end = part.face < 0 ? farthest : std::min(1 / part.nearness.at(place), farthest);
+    area.starts.push_back(beam.view.eye + start * direction);
+    area.ends.push_back(beam.view.eye + end * direction);
+  }
+  return area;
+}
+
+template <class T, class Watcher>
+int SpaceBeamTracer<T, Watcher>::call_shade_parts(Line line, int depth, const Beam& beam) {
+  note(line, depth, [&] { return ShadeCalled{beam.number, false, depth + 1}; });
+  return depth + 1;
+}
+
+template <class T, class Watcher>
+void SpaceBeamTracer<T, Watcher>::begin(int depth, const Beam& beam, const std::vector<Part>& parts, const Part& part) {
+  note(Line::for_each_part, depth, [&] {
+    return PartBegun{part.number, static_cast<int>(&part - parts.data()), static_cast<int>(parts.size()),
+                     area_of(part.window) / beam.pixel, !part.at};
+  });
+}
+
+template <class T, class Watcher>
+auto SpaceBeamTracer<T, Watcher>::lights_of(const Part& part) const -> const std::vector<Light>& {
+  static const std::vector<Light> none;
+  return part.at && world_.effects.used(Effect::shadows) ? world_.lights : none;
+}
+
+template <class T, class Watcher>
+bool SpaceBeamTracer<T, Watcher>::has_extent(const Light& light) const {
+  return !light.is_delta && !light.is_distant && world_.effects.used(Effect::penumbra);
+}
+
+/// Whether some of a light lies in front of a surface, or shows through it.
+template <class T, class Watcher>
+bool SpaceBeamTracer<T, Watcher>::faces(const Vertex& at, const Light& light) const {
+  if (at.surface->lit_from_behind) return true;
+  const Vec3<T>& normal = at.bsdf.shading_normal;
+  const T height = dot(normal, light.direction_to(light.place, at.position));
+  if (!has_extent(light)) return height > 0;
+  if (const auto* sphere = std::get_if<SphereLight::Prepared<T>>(&light.kind)) return height > -sphere->radius;
+  const auto* rectangle = std::get_if<RectangleLight::Prepared<T>>(&light.kind);
+  const T reach =
+      rectangle == nullptr ? T(0) : std::abs(dot(normal, rectangle->u)) + std::abs(dot(normal, rectangle->v));
+  return height > -reach / 2;
+}
+
+template <class T, class Watcher>
+auto SpaceBeamTracer<T, Watcher>::form_shadow_ray(int depth, const Part& part, const Beam& beam, const Light& light)
+    -> std::optional<Shadow> {
+  const Vertex& at = *part.at;
+  const Vec3<T> to_light = light.direction_to(light.place, at.position);
+  const bool in_front = faces(at, light);
+  const Rgbd throughput = Rgbd(beam.throughput) * (area_of(part.window) / area_of(beam.window));
+  if (!in_front || !light.shines_along(to_light)) {
+    const Ending why = in_front ? Ending::outside_cone : Ending::facing_away;
+    ++statistics_.ends(why);
+    note(Line::beam_form_shadow_ray, depth, [&] {
+      return RayNotFormed{part.number,     RayKind::shadow, why,        Vec3d(at.position),
+                          Vec3d(to_light), throughput,      light.index};
+    });
+    return std::nullopt;
+  }
+  const Shadow shadow{spawn_ray<Ray<T>>(world_, at.position, at.bsdf.geometric_normal, at.departure, to_light, at.time),
+                      rays_formed_++};
+  ++statistics_.formed(RayKind::shadow);
+  note(Line::beam_form_shadow_ray, depth, [&] {
+    RayFormed formed{shadow.number,   part.number, RayKind::shadow, Vec3d(shadow.ray.origin),
+                     Vec3d(to_light), throughput,  light.index,     !light.is_distant};
+    if (has_extent(light)) formed.end_radius = detail::radius_of_light<T>(light, normalize(Vec3d(to_light)), false);
+    return formed;
+  });
+  return shadow;
+}
+
+template <class T, class Watcher>
+auto SpaceBeamTracer<T, Watcher>::find_intersection(int depth, const Part& part, const Shadow& shadow,
+                                                    const Light& light) -> std::vector<Arriving> {
+  std::vector<Arriving> arriving = arriving_from(part, light);
+  Rgb<T> sum{0};
+  for (const Arriving& from : arriving) sum += from.share;
+  const bool reached = !is_black(sum);
+  ++statistics_.ends(reached ? Ending::reached_light : Ending::blocked);
+  note(Line::beam_find_intersection, depth, [&] {
+    if (const auto blocker = reached ? std::nullopt : first_blocker(world_, shadow.ray, light.t_far())) {
+      Found found = detail::describe(shadow.number, Ending::blocked, world_, shadow.ray, *blocker);
+      found.transmittance = Rgbd(0.0);
+      return found;
+    }
+    Found found{shadow.number, reached ? Ending::reached_light : Ending::blocked};
+    found.transmittance = Rgbd(sum);
+    if (reached) return found;
+    // What stands for something round hides the light, or rounding does: so nearly that the ray does not meet it.
+    found.object = faces_[part.face].object;
+    found.point = Vec3d(part.at->position), found.normal = Vec3d(part.at->outward_normal);
+    return found;
+  });
+  return arriving;
+}
+
+/// Of a ball of light rays tell, to places that are fixed.
+template <class T, class Watcher>
+auto SpaceBeamTracer<T, Watcher>::arriving_from(const Part& part, const Light& light) -> std::vector<Arriving> {
+  if (has_extent(light)) {
+    if (const auto* rectangle = std::get_if<RectangleLight::Prepared<T>>(&light.kind))
+      return arriving_from(part, light, *rectangle);
+    std::vector<Arriving> arriving;
+    const T edge = static_cast<T>(light.grid);
+    for (int sample = 0; sample < light.samples(); ++sample) {
+      const Vec2<T> cell(static_cast<T>(sample % light.grid), static_cast<T>(sample / light.grid));
+      const Vec3<T> to_light = light.direction_to(light.sample((cell + T(0.5)) / edge), part.at->position);
+      arriving.push_back({to_light, light.sample_weight * transmittance(part, light, to_light)});
+    }
+    return arriving;
+  }
+  const Vec3<T> to_light = light.direction_to(light.place, part.at->position);
+  const auto index = static_cast<std::size_t>(&light - world_.lights.data());
+  const std::uint64_t bit = std::uint64_t{1} << std::min(index, most_divided - 1);
+  if (index < most_divided && (part.stopped & bit) != 0) return {};
+  const bool unsure = index >= most_divided || (part.unsure & bit) != 0;
+  return {{to_light, unsure ? transmittance(part, light, to_light) : Rgb<T>(1)}};
+}
+
+/// What the middle of a part sees of it, cell by cell: the rectangle is a window.
+template <class T, class Watcher>
+auto SpaceBeamTracer<T, Watcher>::arriving_from(const Part& part, const Light& light,
+                                                const RectangleLight::Prepared<T>& rectangle) -> std::vector<Arriving> {
+  const Vec3d eye(part.at->position);
+  const BeamView view{eye, Vec3d(rectangle.corner) - eye, Vec3d(rectangle.u), Vec3d(rectangle.v)};
+  const BeamFace& face = faces_[part.face];
+  const double side_up = dot(Vec3d(part.at->bsdf.geometric_normal), face.plane.normal) < 0 ? -1 : 1;
+  const auto role = [&](int primitive) { return role_of(world_.shadow_roles, primitive); };
+  std::vector<Arriving> arriving;
+  const double side = 1.0 / light.grid;
+  for (int cell = 0; cell < light.samples(); ++cell) {
+    const Vec2d from{side * (cell % light.grid), side * (cell / light.grid)};
+    WindowPiece window{from, {from.x + side, from.y}, {from.x + side, from.y + side}, {from.x, from.y + side}};
+    if (face.is_flat && !part.at->surface->lit_from_behind)
+      window = halves_of(window, view.line(side_up * face.plane.normal, 1)).inside;
+    if (window.empty()) continue;
+    std::vector<LitPiece> pieces{{window}};
+    if (world_.occludes) pieces = open_light(faces_, view, window, face, role);
+    for (const LitPiece& open : pieces) {
+      if (open.stopped) continue;
+      const Vec3<T> to_light(view.direction(middle_of(open.window)));
+      const bool unsure = open.weakened || world_.absorbs;
+      const Rgb<T> through = unsure ? transmittance(part, light, to_light) : Rgb<T>(1);
+      arriving.push_back({to_light, static_cast<T>(area_of(open.window)) * through});
+    }
+  }
+  return arriving;
+}
+
+template <class T, class Watcher>
+Rgb<T> SpaceBeamTracer<T, Watcher>::transmittance(const Part& part, const Light& light, const Vec3<T>& to_light) {
+  if (!world_.occludes) return Rgb<T>(1);
+  const Vertex& at = *part.at;
+  if (!(dot(at.bsdf.shading_normal, to_light) > 0 || at.surface->lit_from_behind)) return Rgb<T>(0);
+  const auto ray = spawn_ray<Ray<T>>(world_, at.position, at.bsdf.geometric_normal, at.departure, to_light, at.time);
+  return shadow_transmittance(world_, ray, light.t_far(), statistics_.tests, filters_met_, {}, at.medium)
+      .value_or(Rgb<T>(0));
+}
+
+template <class T, class Watcher>
+void SpaceBeamTracer<T, Watcher>::add_unlit(DirectLighting& direct, const Light& light) {
+  if constexpr (Observer::watches) direct.terms.push_back({light.index});
+}
+
+template <class T, class Watcher>
+void SpaceBeamTracer<T, Watcher>::add_light(DirectLighting& direct, const Part& part, const Light& light,
+                                            const std::vector<Arriving>& arriving) {
+  detail::PartLight<T> brought;
+  for (const Arriving& from : arriving) {
+    const bool faces = dot(part.at->bsdf.shading_normal, from.to_light) > 0 || part.at->surface->lit_from_behind;
+    if (!faces || is_black(from.share)) continue;
+    const auto one = detail::light_on(*part.at, part.ray, light, from.to_light, from.share);
+    brought.diffuse += one.diffuse, brought.specular += one.specular;
+  }
+  direct.sum += brought.diffuse + brought.specular;
+  if constexpr (Observer::watches) direct.terms.push_back({light.index, Rgbd(brought.diffuse), Rgbd(brought.specular)});
+}
+
+template <class T, class Watcher>
+Rgb<T> SpaceBeamTracer<T, Watcher>::shade_middle(int depth, const Part& part, const DirectLighting& direct) {
+  Rgb<T> ambient{0}, emission{0}, total = world_.background_along(part.ray.direction);
+  if (part.at) {
+    ambient = part.ambient * world_.ambient;
+    emission = part.at->values().emission;
+    total = ambient + emission + direct.sum;
+  }
+  note(Line::shade_middle, depth,
+       [&] { return PartShaded{part.number, Rgbd(ambient), Rgbd(emission), direct.terms, Rgbd(total)}; });
+  return total;
+}
+
+template <class T, class Watcher>
+bool SpaceBeamTracer<T, Watcher>::is_flat(const Part& part) const {
+  return faces_[part.face].is_flat && part.at->bsdf.shading_normal == part.at->bsdf.geometric_normal;
+}
+
+template <class T, class Watcher>
+bool SpaceBeamTracer<T, Watcher>::decide_flat_mirror(int depth, const Part& part) {
+  const bool holds = part.at && is_flat(part) && !is_black(part.at->bsdf.mirror);
+  note(Line::if_flat_mirror, depth, [&] { return Decided{holds, part.at ? Rgbd(part.at->bsdf.mirror) : Rgbd(0.0)}; });
+  return holds;
+}
+
+template <class T, class Watcher>
+auto SpaceBeamTracer<T, Watcher>::form_mirrored_beam(int depth, const Part& part, const Beam& beam)
+    -> std::optional<Beam> {
+  const Vertex& at = *part.at;
+  const double share = area_of(part.window) / area_of(beam.window);
+  const Rgb<T> throughput = beam.throughput * at.throughput * at.bsdf.mirror * static_cast<T>(share);
+  if (const auto why = detail::why_not_followed(world_, depth, throughput)) {
+    ++statistics_.ends(*why);
+    note(Line::form_mirrored_beam, depth, [&] {
+      return RayNotFormed{part.number,     RayKind::beam, *why, Vec3d(at.position), Vec3d(at.bsdf.mirror_axis),
+                          Rgbd(throughput)};
+    });
+    return std::nullopt;
+  }
+  const BeamFace& face = faces_[part.face];
+  Beam mirrored{beam.view.mirrored(face.plane),
+                part.window,
+                beam.pixel,
+                throughput,
+                rays_formed_++,
+                &face,
+                at.departure,
+                at.medium};
+  note(Line::form_mirrored_beam, depth, [&] {
+    return BeamFormed{mirrored.number,
+                      part.number,
+                      mirrored.view.eye,
+                      0,
+                      area_of(part.window) / beam.pixel,
+                      drawn_area(mirrored, {part.window}),
+                      Rgbd(throughput)};
+  });
+  return mirrored;
+}
+
+template <class T, class Watcher>
+bool SpaceBeamTracer<T, Watcher>::sends(const Part& part, RayKind kind) const {
+  if (!part.at || is_black(weight_of(part, kind))) return false;
+  return kind == RayKind::refract || !is_flat(part);
+}
+
+template <class T, class Watcher>
+const Rgb<T>& SpaceBeamTracer<T, Watcher>::weight_of(const Part& part, RayKind kind) {
+  return kind == RayKind::refract ? part.at->bsdf.transparent : part.at->bsdf.mirror;
+}
+
+template <class T, class Watcher>
+bool SpaceBeamTracer<T, Watcher>::decide_curved_or_glass(int depth, const Part& part) {
+  const bool reflects = sends(part, RayKind::reflect), refracts = sends(part, RayKind::refract);
+  note(Line::if_curved_or_glass, depth, [&] {
+    Decided decided{reflects || refracts};
+    if (reflects) decided.weight += Rgbd(part.at->bsdf.mirror);
+    if (refracts) decided.weight += Rgbd(part.at->bsdf.transparent);
+    return decided;
+  });
+  return reflects || refracts;
+}
+
+template <class T, class Watcher>
+auto SpaceBeamTracer<T, Watcher>::form_middle_ray(int depth, const Part& part, const Beam& beam, RayKind kind)
+    -> std::optional<MiddleRay> {
+  const Vertex& at = *part.at;
+  const bool refracts = kind == RayKind::refract;
+  const Vec3<T>& direction = refracts ? at.bsdf.transparent_axis : at.bsdf.mirror_axis;
+  const double share = area_of(part.window) / area_of(beam.window);
+  const Rgb<T> throughput = beam.throughput * at.throughput * weight_of(part, kind) * static_cast<T>(share);
+  if (const auto why = detail::why_not_followed(world_, depth, throughput)) {
+    ++statistics_.ends(*why);
+    note(Line::form_middle_ray, depth,
+         [&] { return RayNotFormed{part.number, kind, *why, Vec3d(at.position), Vec3d(direction), Rgbd(throughput)}; });
+    return std::nullopt;
+  }
+  const MiddleRay ray{
+      spawn_ray<Ray<T>>(world_, at.position, at.bsdf.geometric_normal, at.departure, direction, at.time), kind,
+      rays_formed_++, refracts ? at.behind : at.medium};
+  ++statistics_.formed(kind);
+  note(Line::form_middle_ray, depth, [&] {
+    RayFormed formed{ray.number, part.number, kind, Vec3d(ray.ray.origin), Vec3d(direction), Rgbd(throughput)};
+    if (refracts) formed.snell = snell_numbers(at.refraction);
+    return formed;
+  });
+  return ray;
+}
+
+template <class T, class Watcher>
+Rgb<T> SpaceBeamTracer<T, Watcher>::follow_middle_ray(int depth, const MiddleRay& ray) {
+  note(Line::follow_middle_ray, depth, [&] {
+    TestCounts uncounted;
+    const auto nearest = world_.accelerator.closest(ray.ray, infinity<T>, uncounted);
+    return nearest ? detail::describe(ray.number, Ending::hit, world_, ray.ray, *nearest)
+                   : detail::describe_missed(ray.number, Ending::missed, world_, ray.ray);
+  });
+  return tracer_.radiance_along(ray.ray, depth + 1, ray.medium);
+}
+
+/// A running mean: where all parts have one shade, it is that shade, whatever their areas. What a mirror shows is cut
+/// as it is seen there.
+template <class T, class Watcher>
+void SpaceBeamTracer<T, Watcher>::add_part(Shades& shades, int depth, const Beam& beam, const std::vector<Part>& parts,
+                                           const Part& part, const Rgb<T>& local, std::optional<Shades>& reflected,
+                                           const Rgb<T>& curved, const Rgb<T>& refracted) {
+  const Rgb<T> left = part.at ? part.at->throughput : Rgb<T>(1), own = local + curved + refracted;
+  const Rgb<T> mirrored = reflected ? part.at->bsdf.mirror * reflected->mean : Rgb<T>(0);
+  const Rgb<T> shade = left * (own + mirrored);
+  const int object = part.face < 0 ? -1 : faces_[part.face].object;
+  if (reflected)
+    for (ShadedPiece<T>& piece : reflected->pieces)
+      shades.pieces.push_back({std::move(piece.window), left * (own + part.at->bsdf.mirror * piece.shade), object});
+  else
+    shades.pieces.push_back({part.window, shade, object});
+  const double area = area_of(part.window);
+  shades.area += area;
+  if (shades.area > 0) shades.mean += (shade - shades.mean) * static_cast<T>(area / shades.area);
+  note(Line::add_part, depth, [&] {
+    return PartAdded{part.number,       Rgbd(local),           Rgbd(curved + mirrored),
+                     Rgbd(refracted),   Rgbd(shade),           area / area_of(beam.window),
+                     Rgbd(shades.mean), &part == &parts.back()};
+  });
+}
+
+template <class T, class Watcher>
+template <class Put>
+void SpaceBeamTracer<T, Watcher>::put_in_pixel(const Pixel& pixel, const Rgb<T>& final, Put& put) {
+  if (!is_representable(final)) ++statistics_.not_finite;
+  put(pixel, final);
+  note(Line::beam_put_final_shade, 0, [&] { return PixelPut{pixel.column, pixel.row, pixel.sample, Rgbd(final)}; });
+}
+
+}  // namespace raywalk

@@ -1,0 +1,411 @@
+// Beams in space: the parts of a pixel are the pixel, each sees what rays see, and they cover what exact areas say.
+
+#include "trace/space_beam_kernel.h"
+
+#include "scene/beam_limits.h"
+#include "trace/beam_scene.h"
+#include "trace/pictures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <random>
+
+#include "support/catch.h"
+#include "support/effort.h"
+
+using namespace raywalk;
+using namespace raywalk::test;
+
+namespace {
+
+Material glowing(const Rgbd& colour, double mirror = 0) {
+  Material material;
+  material.ambient = colour;
+  material.diffuse = Rgbd(0.0);
+  material.specular = Rgbd(0.0);
+  material.reflection = Rgbd(mirror);
+  return material;
+}
+
+Material matt(double diffuse) {
+  Material material = glowing(Rgbd(0.0));
+  material.diffuse = Rgbd(diffuse);
+  return material;
+}
+
+Scene empty_scene() {
+  Scene scene;
+  scene.ambient = Rgbd(1.0);
+  scene.background = Rgbd(0.0);
+  scene.camera.eye = {0, -5, 0};
+  scene.camera.look_at = {0, 0, 0};
+  scene.camera.up = {0, 0, 1};
+  scene.camera.screen = {1, 2, 1};
+  scene.render.integrator = Integrator::beams;
+  scene.limits.depth = 4;
+  scene.limits.threshold = 0;
+  return scene;
+}
+
+class Numbers {
+ public:
+  explicit Numbers(unsigned seed) : engine_(seed) {}
+  double real(double low, double high) { return low + (high - low) * (static_cast<double>(engine_()) / 4294967296.0); }
+  Vec3d place(double size) { return {real(-size, size), real(-size, size), real(-size, size)}; }
+
+ private:
+  std::mt19937 engine_;
+};
+
+/// How far inside a convex polygon a place lies; negative outside.
+double inside_by(const std::vector<Vec2d>& corners, const Vec2d& place) {
+  double twice = 0, least = infinity<double>;
+  for (std::size_t i = 0; i < corners.size(); ++i) twice += cross(corners[i], corners[(i + 1) % corners.size()]);
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vec2d along = corners[(i + 1) % corners.size()] - corners[i];
+    if (length(along) < 1e-9) continue;
+    least = std::min(least, std::copysign(1.0, twice) * cross(along, place - corners[i]) / length(along));
+  }
+  return least;
+}
+
+double area(const std::vector<Vec2d>& corners) {
+  double twice = 0;
+  for (std::size_t i = 2; i < corners.size(); ++i) twice += cross(corners[i - 1] - corners[0], corners[i] - corners[0]);
+  return std::abs(twice) / 2;
+}
+
+/// Every pixel's parts, against rays through `fine` x `fine` places of it. Returns how many places are compared.
+int compare_with_rays(const Scene& scene, int width, int height, int fine, double tolerance = 1e-9) {
+  REQUIRE(why_no_space_beams(scene).empty());
+  const World<double> world(scene);
+  const BeamFaces faces = beam_faces_of(scene);
+  Scene by_rays = scene;
+  by_rays.render.integrator = Integrator::whitted;
+  const auto rays = picture_by<double>(by_rays, width * fine, height * fine, {},
+                                       [](const auto& its, const auto& camera, const auto& block, const auto& put) {
+                                         return trace(its, camera, block, put);
+                                       });
+  const ImageSize size{width, height};
+  const RayGenerator<double> camera(scene, size, size);
+  int compared = 0, wrong = 0;
+  for (int row = 0; row < height; ++row)
+    for (int column = 0; column < width; ++column) {
+      const Vec2d from(column, row);
+      const std::vector<BeamPolygon> parts = parts_of_picture(world, faces, camera, from, from + Vec2d(1, 1));
+      double whole = 0;
+      for (const BeamPolygon& part : parts) {
+        whole += area(part.corners);
+        const Rgbd& shade = part.shade;
+        wrong += !(std::isfinite(shade.x) && std::isfinite(shade.y) && std::isfinite(shade.z));
+      }
+      if (!(std::abs(whole - 1) < 1e-12)) {
+        UNSCOPED_INFO("pixel " << column << ", " << row << " has parts of " << whole);
+        ++wrong;
+      }
+      for (int y = 0; y < fine; ++y)
+        for (int x = 0; x < fine; ++x) {
+          const Vec2d place = from + Vec2d(x + 0.5, y + 0.5) / static_cast<double>(fine);
+          const auto part = std::find_if(parts.begin(), parts.end(), [&](const BeamPolygon& each) {
+            return inside_by(each.corners, place) > 1e-7;
+          });
+          if (part == parts.end()) continue;  // on an edge
+          ++compared;
+          const Rgbd ray = rays.at(column * fine + x, row * fine + y), difference = part->shade - ray;
+          const double off = std::max({std::abs(difference.x), std::abs(difference.y), std::abs(difference.z)});
+          if (off <= tolerance) continue;
+          if (++wrong < 5)
+            UNSCOPED_INFO("at " << place.x << ", " << place.y << ": " << part->shade.x << " " << part->shade.y << " "
+                                << part->shade.z << ", by a ray " << ray.x << " " << ray.y << " " << ray.z);
+        }
+    }
+  CHECK(wrong == 0);
+  return compared;
+}
+
+template <class T>
+Picture<T> picture_of(const Scene& scene, int width, int height, Sampling sampling = {}) {
+  const BeamFaces faces = beam_faces_of(scene);
+  return picture_by<T>(scene, width, height, sampling,
+                       [&](const auto& world, const auto& camera, const auto& block, const auto& put) {
+                         return trace_space_beams(world, faces, camera, block, put);
+                       });
+}
+
+Triangle<double> random_triangle(Numbers& next, double size) {
+  const Vec3d middle = next.place(1.5);
+  return {middle + next.place(size), middle + next.place(size), middle + next.place(size)};
+}
+
+}  // namespace
+
+TEST_CASE("the parts of a pixel are the pixel, and each sees what rays see, through faces that cross each other") {
+  for (int seed = 0; seed < rounds(8); ++seed) {
+    CAPTURE(seed);
+    Numbers next(static_cast<unsigned>(seed));
+    Scene scene = empty_scene();
+    for (int i = 0; i < 30; ++i)
+      scene.objects.push_back({"T" + std::to_string(i), random_triangle(next, 0.8),
+                               glowing({next.real(0, 1), next.real(0, 1), next.real(0, 1)})});
+    CHECK(compare_with_rays(scene, 16, 12, 9) > 16 * 12 * 60);
+  }
+}
+
+TEST_CASE("flat mirrors show by beams what rays see in them, mirrors in mirrors too") {
+  for (int seed = 0; seed < rounds(8); ++seed) {
+    CAPTURE(seed);
+    Numbers next(100 + static_cast<unsigned>(seed));
+    Scene scene = empty_scene();
+    for (int i = 0; i < 14; ++i)
+      scene.objects.push_back({"T" + std::to_string(i), random_triangle(next, 0.9),
+                               glowing({next.real(0, 1), next.real(0, 1), next.real(0, 1)}, i % 2 == 0 ? 0.6 : 0)});
+    scene.objects.push_back({"Wall", Box<double>{{-3, 2, -3}, {3, 2.5, 3}}, glowing({0.1, 0, 0}, 0.7)});
+    scene.objects.push_back({"Floor", Plane<double>{{0, 0, -1.2}, {0.1, 0, 1}}, glowing({0, 0.1, 0}, 0.5)});
+    CHECK(compare_with_rays(scene, 12, 9, 9) > 12 * 9 * 50);
+  }
+}
+
+TEST_CASE("the shadows of points and directions are cut where rays find their edges") {
+  for (int seed = 0; seed < rounds(8); ++seed) {
+    CAPTURE(seed);
+    Numbers next(200 + static_cast<unsigned>(seed));
+    Scene scene = empty_scene();
+    scene.lights = {{"Sun", Rgbd(0.7), DirectionalLight{{0.3, -0.4, 1}}}};
+    for (int i = 0; i < 14; ++i)
+      scene.objects.push_back({"T" + std::to_string(i), random_triangle(next, 0.7), matt(next.real(0.2, 1))});
+    scene.objects.push_back({"Floor", Plane<double>{{0, 0, -1.2}, {0, 0, 1}}, matt(0.8)});
+    scene.objects.push_back({"Box", Box<double>{{-0.5, -0.5, -1.2}, {0.4, 0.4, -0.2}}, matt(0.5)});
+    CHECK(compare_with_rays(scene, 12, 9, 9) > 12 * 9 * 50);
+  }
+}
+
+TEST_CASE("the squares of a checker are cut, in mirrors too, and far away they have their mean") {
+  Scene scene = empty_scene();
+  scene.camera.eye = {0.3, -3, 4};
+  scene.camera.screen = {1, 0.9, 1};
+  Material squares = glowing(Rgbd(1.0), 0.2);
+  squares.checker = Checker{Rgbd(0.9), {0.1, 0.3, 0.2}, 0.57};
+  scene.objects = {{"Floor", Plane<double>{{0, 0, -1}, {0, 0, 1}}, squares},
+                   {"Box", Box<double>{{-1, 0, -1}, {0, 1, 0.3}}, squares},
+                   {"Tile", Triangle<double>{{0.5, -0.5, -0.7}, {1.9, 0.4, -0.2}, {0.6, 0.8, 0.6}}, squares},
+                   {"Mirror", Box<double>{{-9, 3, -9}, {9, 3.1, 9}}, glowing({0.1, 0, 0}, 0.8)}};
+  CHECK(compare_with_rays(scene, 16, 12, 9) > 16 * 12 * 60);
+  // Towards the horizon.
+  scene.objects.resize(1);
+  scene.objects[0].material.reflection = Rgbd(0.0);
+  scene.camera.eye = {0, -4, 0};
+  scene.camera.look_at = {0, 0, 0};
+  scene.camera.screen = {1, 2, 1};
+  const auto far = picture_of<double>(scene, 9, 9);
+  for (int column = 0; column < 9; ++column) CHECK(far.at(column, 4).y == Approx((0.9 + 0.3) / 2 / 2).margin(1e-9));
+}
+
+TEST_CASE("a point light's shadow on a floor is as large as that of its triangle") {
+  Scene scene = empty_scene();
+  scene.camera.eye = {0, 0, 6};
+  scene.camera.up = {0, 1, 0};
+  scene.lights = {{"Lamp", Rgbd(1.0), PointLight{{0, 0, 2}}}};
+  scene.objects = {{"Floor", Plane<double>{{0, 0, 0}, {0, 0, 1}}, matt(1)},
+                   {"Blocker", Triangle<double>{{-0.5, -0.5, 1}, {0.6, -0.4, 1}, {0.1, 0.5, 1}}, glowing(Rgbd(0.0))}};
+  const World<double> world(scene);
+  const BeamFaces faces = beam_faces_of(scene);
+  const ImageSize size{1, 1};
+  const RayGenerator<double> camera(scene, size, size);
+  double dark = 0;
+  for (const BeamPolygon& part : parts_of_picture(world, faces, camera, {0, 0}, {1, 1}))
+    if (part.object == 0 && part.shade.x == 0) dark += area(part.corners);
+  // The window is 2 x 2 at distance 1, the floor at 6; eye and lamp stand above one another.
+  const double shadow = 4 * 0.52, unit = 12.0 * 12.0;
+  // The triangle itself, seen from 6 above at height 1, covers this much of the floor.
+  const double hidden = 0.52 * (6.0 / 5) * (6.0 / 5);
+  CHECK(dark == Approx((shadow - hidden) / unit).epsilon(1e-12));
+}
+
+TEST_CASE("a triangle covers of each pixel what clipping its corners says") {
+  Numbers next(7);
+  for (int round = 0; round < rounds(40); ++round) {
+    Scene scene = empty_scene();
+    const Triangle<double> triangle{{next.real(-2, 2), 0, next.real(-2, 2)},
+                                    {next.real(-2, 2), next.real(0, 1), next.real(-2, 2)},
+                                    {next.real(-2, 2), 0, next.real(-2, 2)}};
+    scene.objects = {{"Triangle", triangle, glowing(Rgbd(1.0))}};
+    constexpr int side = 8;
+    const auto seen = picture_of<double>(scene, side, side);
+    // On the screen in pixels: 5 before the origin, and as wide as it is far.
+    std::vector<Vec2d> corners;
+    for (const Vec3d& at : {triangle.a, triangle.b, triangle.c})
+      corners.push_back({side / 2.0 * (1 + at.x / (at.y + 5)), side / 2.0 * (1 - at.z / (at.y + 5))});
+    for (int row = 0; row < side; ++row)
+      for (int column = 0; column < side; ++column) {
+        std::vector<Vec2d> clipped = corners;
+        const auto clip = [&](auto inside) {
+          std::vector<Vec2d> kept;
+          for (std::size_t i = 0; i < clipped.size(); ++i) {
+            const Vec2d a = clipped[i], b = clipped[(i + 1) % clipped.size()];
+            const double at_a = inside(a), at_b = inside(b);
+            if (at_a >= 0) kept.push_back(a);
+            if ((at_a < 0) != (at_b < 0)) kept.push_back(a + at_a / (at_a - at_b) * (b - a));
+          }
+          clipped = kept;
+        };
+        clip([&](const Vec2d& p) { return p.x - column; });
+        clip([&](const Vec2d& p) { return column + 1 - p.x; });
+        clip([&](const Vec2d& p) { return p.y - row; });
+        clip([&](const Vec2d& p) { return row + 1 - p.y; });
+        CHECK(seen.at(column, row).x == Approx(area(clipped)).margin(2e-9));
+      }
+  }
+}
+
+TEST_CASE("hard views: an eye in a face's plane, on an edge, a mirror seen end on, faces in one place, the horizon") {
+  Scene scene = empty_scene();
+  SECTION("an eye in a plane and on an edge") {
+    scene.objects = {{"Level", Polygon<double>{{{-1, -6, 0}, {1, -6, 0}, {1, 2, 0}, {-1, 2, 0}}}, glowing({1, 0, 0})},
+                     {"From the eye", Triangle<double>{{0, -5, 0}, {1, 0, 1}, {-1, 0, 1}}, glowing({0, 1, 0})},
+                     {"Behind", Box<double>{{-2, 1, -2}, {2, 2, 2}}, glowing({0, 0, 1})}};
+  }
+  SECTION("a mirror seen end on") {
+    scene.objects = {
+        {"Mirror", Polygon<double>{{{0, -1, -1}, {0, 1, -1}, {0, 1, 1}, {0, -1, 1}}}, glowing({1, 0, 0}, 1)},
+        {"Behind", Box<double>{{-2, 2, -2}, {2, 3, 2}}, glowing({0, 0, 1}, 0.5)}};
+  }
+  SECTION("faces in one place") {
+    const Box<double> box{{-0.7, 0, -0.7}, {0.7, 1, 0.7}};
+    scene.objects = {{"First", box, glowing({1, 0, 0}, 0.3)},
+                     {"Second", box, glowing({0, 1, 0})},
+                     {"On it", Polygon<double>{{{-0.3, 0, -0.3}, {0.3, 0, -0.3}, {0.3, 0, 0.3}, {-0.3, 0, 0.3}}},
+                      glowing({0, 0, 1})}};
+  }
+  SECTION("the horizon, and a box that stands on the floor") {
+    scene.objects = {{"Floor", Plane<double>{{0, 0, -1}, {0, 0, 1}}, glowing({1, 0, 0}, 0.4)},
+                     {"Box", Box<double>{{-0.5, 0, -1}, {0.5, 1, 0.5}}, glowing({0, 1, 0})},
+                     {"Ceiling", Plane<double>{{0, 0, 3}, {0, 0, -1}}, glowing({0, 0, 1})}};
+  }
+  SECTION("edges through the corners of pixels") {
+    // Pixels are a quarter of the half at distance 5.
+    scene.objects = {
+        {"Square", Polygon<double>{{{-1.25, 0, -1.25}, {1.25, 0, -1.25}, {1.25, 0, 1.25}, {-1.25, 0, 1.25}}},
+         glowing({1, 0, 0})},
+        {"Beside", Polygon<double>{{{1.25, 0, -1.25}, {2.5, 0, -1.25}, {2.5, 0, 1.25}, {1.25, 0, 1.25}}},
+         glowing({0, 1, 0})}};
+  }
+  compare_with_rays(scene, 8, 8, 9);
+  compare_with_rays(scene, 7, 5, 9);
+}
+
+TEST_CASE("a rectangle of light behind an edge is seen as the closed form says") {
+  // From the floor's middle, of a light 2 x 2 at height 2 the half x > edge is hidden by a wall at height 1.
+  Scene scene = empty_scene();
+  scene.camera.eye = {0, 0, 0.5};
+  scene.camera.look_at = {0, 0, 0};
+  scene.camera.up = {0, 1, 0};
+  scene.camera.screen = {1, 1e-6, 1};
+  for (const double edge : {-0.4, 0.0, 0.1, 0.35}) {
+    CAPTURE(edge);
+    scene.lights = {{"Sky", Rgbd(1.0), RectangleLight{{-1, -1, 2}, {2, 0, 0}, {0, 2, 0}, 8}}};
+    scene.objects = {{"Floor", Plane<double>{{0, 0, 0}, {0, 0, 1}}, matt(1)},
+                     {"Wall", Polygon<double>{{{edge, -9, 1}, {9, -9, 1}, {9, 9, 1}, {edge, 9, 1}}}, matt(0)}};
+    const auto seen = picture_of<double>(scene, 1, 1);
+    // The mean of cos over the open part of the light, times its share of the light: by a fine sum.
+    double expected = 0;
+    constexpr int fine = 400;
+    for (int i = 0; i < fine; ++i)
+      for (int j = 0; j < fine; ++j) {
+        const double x = -1 + 2 * (i + 0.5) / fine, y = -1 + 2 * (j + 0.5) / fine;
+        if (x < 2 * edge) expected += 2 / std::sqrt(x * x + y * y + 4) / (fine * fine);
+      }
+    CHECK(seen.at(0, 0).x == Approx(expected).epsilon(4e-3));
+  }
+}
+
+TEST_CASE("a ball is its polygons to an eighth of a percent of its radius, and shaded as a ball") {
+  Scene scene = empty_scene();
+  scene.objects = {{"Ball", Sphere<double>{{0, 0, 0}, 1.5}, glowing(Rgbd(1.0))}};
+  const auto seen = picture_of<double>(scene, 1, 1);
+  // The disc that a ball is seen as at distance 1, of a window 2 x 2.
+  const double radius = 1.5 / std::sqrt(25 - 1.5 * 1.5), disc = std::numbers::pi * radius * radius / 4;
+  CHECK(seen.at(0, 0).x < disc);
+  CHECK(seen.at(0, 0).x > disc * (1 - 2 * 0.0013) * (1 - 2 * 0.0013));
+}
+
+TEST_CASE("which pixels are traced together, and in which precision, changes no edge") {
+  Numbers next(12);
+  Scene scene = empty_scene();
+  scene.lights = {{"Lamp", Rgbd(1.0), PointLight{{1, -3, 3}}}};
+  for (int i = 0; i < 12; ++i)
+    scene.objects.push_back({"T" + std::to_string(i), random_triangle(next, 0.9), matt(0.7)});
+  const auto whole = picture_of<double>(scene, 12, 12);
+  const auto in_float = picture_of<float>(scene, 12, 12);
+  for (std::size_t i = 0; i < whole.pixels.size(); ++i)
+    CHECK(std::abs(whole.pixels[i].x - static_cast<double>(in_float.pixels[i].x)) < 1e-4);
+  const BeamFaces faces = beam_faces_of(scene);
+  const World<double> world(scene);
+  const ImageSize size{12, 12};
+  const RayGenerator<double> camera(scene, size, size);
+  PixelBlock block;
+  block.column_begin = 5, block.column_end = 6, block.row_begin = 7, block.row_end = 8;
+  static_cast<void>(trace_space_beams<double>(world, faces, camera, block, [&](const Pixel& pixel, const Rgbd& shade) {
+    CHECK(shade == whole.at(pixel.column, pixel.row));
+  }));
+}
+
+TEST_CASE("four beams of a pixel see together what one does where shades do not change") {
+  Numbers next(13);
+  Scene scene = empty_scene();
+  for (int i = 0; i < 8; ++i)
+    scene.objects.push_back({"T" + std::to_string(i), random_triangle(next, 0.9), glowing(Rgbd(next.real(0, 1)))});
+  const auto one = picture_of<double>(scene, 6, 6);
+  std::vector<Rgbd> sums(36, Rgbd(0.0));
+  const BeamFaces faces = beam_faces_of(scene);
+  const World<double> world(scene);
+  const ImageSize size{6, 6};
+  const RayGenerator<double> camera(scene, size, size, {4});
+  PixelBlock block;
+  block.column_end = 6, block.row_end = 6, block.samples = 4;
+  static_cast<void>(trace_space_beams<double>(world, faces, camera, block, [&](const Pixel& pixel, const Rgbd& shade) {
+    sums[static_cast<std::size_t>(pixel.row * 6 + pixel.column)] += shade / 4.0;
+  }));
+  for (std::size_t i = 0; i < sums.size(); ++i) CHECK(sums[i].x == Approx(one.pixels[i].x).margin(1e-9));
+}
+
+TEST_CASE("watching beams in space changes no bit, and tells of parts that are the pixel") {
+  Numbers next(14);
+  Scene scene = empty_scene();
+  scene.lights = {{"Lamp", Rgbd(1.0), PointLight{{1, -3, 3}}},
+                  {"Panel", Rgbd(0.5), RectangleLight{{-1, -1, 3}, {1, 0, 0}, {0, 1, 0}, 2}}};
+  for (int i = 0; i < 12; ++i)
+    scene.objects.push_back({"T" + std::to_string(i), random_triangle(next, 0.9), matt(0.7)});
+  scene.objects[0].material.reflection = scene.objects[1].material.reflection = Rgbd(0.6);
+  scene.objects.push_back({"Chrome", Sphere<double>{{0.5, 0, 0}, 0.6}, glowing(Rgbd(0.1), 0.8)});
+  const auto whole = picture_of<double>(scene, 6, 6);
+  const BeamFaces faces = beam_faces_of(scene);
+  Recording recording;
+  const auto watched = picture_by<double>(
+      scene, 6, 6, {}, [&](const auto& world, const auto& camera, const auto& block, const auto& put) {
+        return trace_space_beams_watched(world, faces, camera, block, put, recording);
+      });
+  CHECK(same_bits(whole, watched));
+  CHECK(same_counts(whole.statistics, watched.statistics));
+  // Of each beam, the parts are what it is of its pixel.
+  std::map<int, double> areas;
+  for (const BeamFormed& formed : recording.all<BeamFormed>()) areas[formed.ray] = formed.end - formed.begin;
+  for (const BeamCut& cut : recording.all<BeamCut>()) {
+    double sum = 0;
+    for (const BeamPiece& piece : cut.pieces) sum += piece.coverage;
+    CHECK(sum == Approx(areas.at(cut.ray)).epsilon(1e-9));
+  }
+  CHECK(areas.size() > 36);
+}
+
+TEST_CASE("what beams cannot follow is refused by name") {
+  Scene scene = empty_scene();
+  scene.objects = {{"Ball", Sphere<double>{{0, 0, 0}, 1}, matt(1)}};
+  CHECK(why_no_space_beams(scene).empty());
+  scene.objects[0].motion = {{0, {0, 0, 0}}, {1, {1, 0, 0}}};
+  CHECK(why_no_space_beams(scene) == "Ball moves");
+  scene.objects[0].motion.clear();
+  scene.objects[0].shape = Quadric<double, QuadricKind::elliptic_paraboloid>{};
+  CHECK(why_no_space_beams(scene) == "Ball is endless");
+}
