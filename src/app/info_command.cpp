@@ -7,6 +7,7 @@
 #include "scene/effects.h"
 #include "scene/warnings.h"
 #include "text/spelling.h"
+#include "trace/dipole_limits.h"
 #include "trace/radiosity_kernel.h"
 #include "trace/world.h"
 
@@ -91,8 +92,12 @@ std::string render_text(const Scene& scene) {
     text += fmt::format(", {} photons{}, {} nearest{}", photons.count, photons.progressive ? " a sample" : "",
                         photons.nearest, photons.gather ? ", final gathering" : "");
   }
-  if (choices.integrator == Integrator::radiosity)
-    text += fmt::format(", until {:g} of the light is unshot", choices.radiosity.tolerance);
+  if (cuts_patches(scene))
+    text += fmt::format(", {}until {:g} of the light is unshot",
+                        choices.integrator == Integrator::radiosity ? "" : "ambient light by radiosity ",
+                        choices.radiosity.tolerance);
+  if (choices.integrator == Integrator::path && choices.subsurface == Subsurface::dipole)
+    text += ", light inside by the dipole";
   if (choices.tolerance > 0) text += fmt::format(", fewer where known to {:g}", choices.tolerance);
   if (choices.numerics == Numerics::naive) text += fmt::format(", naive numerics with epsilon {:g}", choices.epsilon);
   return text;
@@ -145,7 +150,11 @@ std::string info_text(const Scene& scene, const std::string& path) {
     if (effect == Effect::refraction && !world.bodies.empty())
       text += row("", "bodies may lie in one another or hold the eye: rays know all that they are inside of");
   }
-  if (scene.render.integrator == Integrator::radiosity) text += patches_text(scene);
+  if (const std::vector<std::string> losses = collected(dipole_losses(scene)); !losses.empty()) {
+    text += "\ndipole\n";
+    for (const std::string& loss : losses) text += row("  wrong", loss);
+  }
+  if (cuts_patches(scene)) text += patches_text(scene);
   return text + structures_text(scene, world);
 }
 

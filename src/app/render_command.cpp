@@ -13,6 +13,7 @@
 #include "scene/cone_limits.h"
 #include "scene/warnings.h"
 #include "text/file.h"
+#include "trace/dipole_limits.h"
 #include "trace/patches.h"
 
 #include <fmt/format.h>
@@ -182,8 +183,10 @@ ExitCode render_command(const RenderOptions& options) {
   if (options.statistics)
     if (const auto claimed = claim_output(*options.statistics); !claimed) return fail(claimed.error());
   if (!options.quiet) warn(idle_options(options, scene));
-  if (!options.quiet && choices.integrator == Integrator::radiosity)
+  if (!options.quiet && cuts_patches(scene))
     for (const std::string& loss : collected(patch_losses(scene))) note("raywalk render: warning: " + loss);
+  if (!options.quiet)
+    for (const std::string& loss : collected(dipole_losses(scene))) note("raywalk render: warning: " + loss);
 
   const Interrupt interrupt(Patience::full);
   Result<Rendering> rendering;

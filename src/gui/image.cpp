@@ -244,6 +244,20 @@ void epsilon_row(const Ui& ui, Form& form) {
     ui.act(action::SetNumerics{now.numerics, epsilon, form.continues()});
 }
 
+/// Where the scene has a use for it.
+void light_ways(const Ui& ui, Form& form) {
+  const SceneSeen seen = walked_scene(ui.state);
+  const Scene& scene = *seen;
+  const IntegratorTraits& traits = traits_of(integrator_of(scene));
+  action::SetLightWays next{scene.render.subsurface, scene.render.radiosity.as_ambient};
+  bool now = false;
+  if (effects_of(scene).used(Effect::scattering))
+    now |= pick_among(ui, form, "property.subsurface", values_of<Subsurface>, next.subsurface);
+  if (traits.is_recursive && !traits.is_global && !traits.has_width)
+    now |= form.flag("property.as_ambient", next.as_ambient);
+  if (now) ui.act(next);
+}
+
 void image_settings(const Ui& ui, FormMemory& memory) {
   const FormPopup popup(ui, "image-settings");
   if (!popup) return;
@@ -270,6 +284,7 @@ void image_settings(const Ui& ui, FormMemory& memory) {
   if (pick_among(ui, form, "property.numerics", values_of<Numerics>, numerics))
     ui.act(action::SetNumerics{numerics, state.scene().render.epsilon});
   epsilon_row(ui, form);
+  light_ways(ui, form);
 
   ImGui::Dummy({1, ui.px(2)});
   const ButtonLook look{.look = Look::plain, .icon = Icon::none, .font = ui.fonts.small, .label = true};

@@ -91,7 +91,7 @@ Rendering render_in(const Scene& scene, const RenderSettings& settings, ImageSiz
   std::atomic<double> solved{0};  // of radiosity's shots
   const auto done_of = [&](double all_samples) {
     constexpr double of_shots = 0.8;  // of a picture's time, roughly
-    if (picture.kernel().radiosity())
+    if (picture.kernel().shoots_light())
       return of_shots * solved + (1 - of_shots) * static_cast<double>(taken) / all_samples;
     constexpr double photon = 0.25;  // of a sample's time, roughly
     return (static_cast<double>(taken) + photon * static_cast<double>(sent)) / (all_samples + photon * all_photons);
@@ -227,7 +227,7 @@ Result<Rendering> render_pixels(const Scene& scene, const RenderSettings& settin
   of_picture.size = size;
   if (const auto error = why_too_large(memory_needed(scene, of_picture), "")) return tl::unexpected(*error);
   try {
-    if (scene.render.integrator == Integrator::radiosity)
+    if (cuts_patches(scene))
       if (const auto error = why_no_patches(scene, settings.stop)) return tl::unexpected(*error);
     switch (settings.precision) {
       case Precision::float_:

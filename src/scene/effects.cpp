@@ -73,7 +73,9 @@ EffectUse translucency(const Scene& scene, Integrator integrator) {
 EffectUse no_light(const Scene& scene) {
   const Object* emitter = first_object(scene, &Material::emits);
   if (emitter == nullptr) return {false, "none: no light shines"};
-  return {false, "none: no light shines; what " + emitter->name + " emits is indirect light, which only paths follow"};
+  const std::string_view followers = scene.render.radiosity.as_ambient ? "only paths and patches" : "only paths";
+  return {false, "none: no light shines; what " + emitter->name + " emits is indirect light, which " +
+                     std::string(followers) + " follow"};
 }
 
 EffectUse penumbra(const Scene& scene, Integrator integrator) {
@@ -112,6 +114,8 @@ EffectUse antialiasing(int samples_per_pixel, Integrator integrator) {
 EffectUse indirect_light(const Scene& scene, Integrator integrator) {
   const IntegratorTraits& traits = traits_of(integrator);
   if (!traits.is_recursive && !traits.is_global) return left_out(integrator, "follows no ray beyond the first hit");
+  if (takes_ambient_from_patches(scene))
+    return {true, "patches send each other light, which is in the place of ambient light"};
   if (!traits.is_global) return {false, "none: Whitted's algorithm follows mirrors and glass only"};
   if (scene.render.path_length == 1) return {false, "none: paths end at what is seen"};
   return use_if(
@@ -181,7 +185,7 @@ EffectUse maps(const Scene& scene, Integrator integrator) {
 
 EffectUse shadows(const Scene& scene, Integrator integrator) {
   const Light* light = first_light(scene, [](const Light&) { return true; });
-  if (light == nullptr && indirect_light(scene, integrator).used) {
+  if (light == nullptr && traits_of(integrator).is_global && indirect_light(scene, integrator).used) {
     if (scene.sky) return {true, "the sky shines, and paths look for it from all surfaces"};
     return use_if(scene, &Material::emits, "emits, and paths look for it from all surfaces", "no light shines");
   }
@@ -202,6 +206,12 @@ Integrator integrator_of(const Scene& scene, int samples_per_pixel) {
                      penumbra(scene, whole).used || depth_of_field(scene, whole).used ||
                      motion_blur(scene, whole).used || first_object(scene, &Material::is_rough) != nullptr;
   return calls ? Integrator::distributed : Integrator::whitted;
+}
+
+bool takes_ambient_from_patches(const Scene& scene) {
+  if (!scene.render.radiosity.as_ambient) return false;
+  const IntegratorTraits& traits = traits_of(integrator_of(scene));
+  return traits.is_recursive && !traits.is_global && !traits.has_width;
 }
 
 int light_grid_of(const Scene& scene, const Light& light) {

@@ -81,6 +81,13 @@ class Effects {
   return draws_random(integrator) || traits_of(integrator).has_lobes;
 }
 
+/// Whether light that surfaces send each other, by patches, is in the place of ambient light.
+[[nodiscard]] bool takes_ambient_from_patches(const Scene& scene);
+/// Whether surfaces are cut into patches, for that or for radiosity.
+[[nodiscard]] inline bool cuts_patches(const Scene& scene) {
+  return scene.render.integrator == Integrator::radiosity || takes_ambient_from_patches(scene);
+}
+
 /// Whether it shades by normals of maps; else by those of the shapes.
 [[nodiscard]] constexpr bool bends_normals(Integrator integrator) {
   return !traits_of(integrator).has_width && integrator != Integrator::radiosity;

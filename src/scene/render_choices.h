@@ -97,13 +97,22 @@ struct PhotonChoices {
   friend bool operator==(const PhotonChoices&, const PhotonChoices&) = default;
 };
 
-/// Of radiosity.
+/// Of radiosity, also where other integrators use it.
 struct RadiosityChoices {
   std::optional<double> patch{};  ///< no side of a patch is longer; left out, a twelfth of the scene
   double tolerance = 0.005;       ///< as much of the light may stay unshot, >= 0
   int shots = 100000;             ///< after as many it ends in any case, >= 1
+  bool as_ambient = false;        ///< whitted and distributed: what patches send each other, in place of ambient light
   friend bool operator==(const RadiosityChoices&, const RadiosityChoices&) = default;
 };
+
+/// How paths get through bodies that scatter light inside.
+enum class Subsurface {
+  walk,    ///< from each place where it is scattered to the next
+  dipole,  ///< at once, to where the dipole lets it out (Jensen et al. 2001)
+};
+template <>
+inline constexpr Word<Subsurface> words_of<Subsurface>[] = {{Subsurface::walk, "walk"}, {Subsurface::dipole, "dipole"}};
 
 /// How a scene is rendered, unless the command line says otherwise. None of it changes what the scene is.
 struct RenderChoices {
@@ -114,6 +123,7 @@ struct RenderChoices {
   double tolerance = 0;                 ///< of adaptive sampling (render/adaptive.h); 0: every pixel takes all samples
   std::optional<int> path_length{};     ///< maximum number of rays of a path from the eye to a light, first and last
                                         ///< included; absent: no limit
+  Subsurface subsurface = Subsurface::walk;
   PhotonChoices photons{};
   RadiosityChoices radiosity{};
   Numerics numerics = Numerics::robust;

@@ -102,6 +102,8 @@ void describe(Fields& f, RadiosityChoices& radiosity) {
   f.key("patch", radiosity.patch, extent, "No side of a patch is longer; left out, a twelfth of the scene.");
   f.key("tolerance", radiosity.tolerance, not_negative, "This share of the first light may stay unshot.");
   f.key("shots", radiosity.shots, shot_count, "After as many shots it ends in any case.");
+  f.key("as_ambient", radiosity.as_ambient, yes_or_no,
+        "Of whitted and distributed: light between surfaces, by patches, in place of ka times the ambient light.");
 }
 
 template <class Fields>
@@ -116,6 +118,8 @@ void describe(Fields& f, RenderChoices& render) {
         "A pixel that is known this well takes no more samples; 0: all samples.");
   f.key("path_length", render.path_length, path_length_count,
         "Of the path integrator: most rays between the eye and a light; left out, no limit.");
+  f.key("subsurface", render.subsurface, subsurfaces,
+        "Of the path integrator, inside of what scatters light: a walk, or the dipole of Jensen et al. (2001).");
   f.key("photons", render.photons, table);
   f.key("radiosity", render.radiosity, table);
   f.key("numerics", render.numerics, numerics,

@@ -179,6 +179,7 @@ inline constexpr Choice<Integrator> integrators;
 /// What each of them follows: "How light is followed: shadows only (cast); ...".
 [[nodiscard]] const std::string& integrator_sentence();
 inline constexpr Choice<Sampler> samplers;
+inline constexpr Choice<Subsurface> subsurfaces;
 inline constexpr Choice<Numerics> numerics;
 inline constexpr Choice<InkColour> ink_colours;
 

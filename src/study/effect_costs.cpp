@@ -94,6 +94,7 @@ std::optional<Scene> without(const Scene& scene, Effect effect) {
       return changed;
     case Effect::indirect_light:
       changed.render.integrator = Integrator::automatic;
+      changed.render.radiosity.as_ambient = false;
       return changed;
     case Effect::textures:
       change_materials(changed, [](Material& m) { m.checker.reset(), m.texture.reset(); });

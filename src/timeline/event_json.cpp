@@ -82,6 +82,7 @@ class EventWriter {
     to_["reflect"] = triple(computed.reflect);
     to_["refract"] = triple(computed.refract);
     if (computed.transmittance != Rgbd(1.0)) to_["passed"] = triple(computed.transmittance);
+    if (computed.irradiance) to_["irradiance"] = triple(*computed.irradiance);
     to_["total"] = triple(computed.total);
   }
 
@@ -348,6 +349,11 @@ class EventWriter {
   void add(const SkyNumbers& s) const {
     to_["sky"] = {{"elevation", s.elevation}, {"azimuth", s.azimuth}, {"density", s.pdf}};
     to_["sky"]["radiance"] = triple(s.radiance);
+  }
+  void add(const DipoleNumbers& d) const {
+    to_["dipole"]["distance"] = d.distance;
+    to_["dipole"]["reflectance"] = triple(d.reflectance);
+    to_["dipole"]["total"] = triple(d.total);
   }
   void add(const PlaneNumbers& p) const { to_["plane"] = {{"numerator", p.numerator}, {"denominator", p.denominator}}; }
 

@@ -175,7 +175,7 @@ class Describer {
                 {{"ray", record.kind}, {"object", met}, {"distance", length(found.point - record.origin)}}};
       }
       case Ending::scattered:
-        return {"walk.scattered_inside",
+        return {std::holds_alternative<DipoleNumbers>(found.numbers) ? "walk.left_by_dipole" : "walk.scattered_inside",
                 {{"ray", record.kind}, {"object", met}, {"distance", length(found.point - record.origin)}}};
       case Ending::missed:
         if (const auto* sky = std::get_if<SkyNumbers>(&found.numbers))
@@ -322,7 +322,9 @@ class Describer {
     if (event.line == Line::gather_choose_direction && chosen.absorbed)
       return {"walk.gather_no_direction", {{"object", shaded()}}};
     if (chosen.absorbed) return {"walk.direction_none", {{"object", shaded()}}};
-    return {by_lobe(chosen.lobe, shaded_material(), event.line == Line::choose_direction),
+    const bool by_dipole = chosen.lobe == Lobe::diffuse && current().ending == Ending::scattered;
+    return {by_dipole ? "walk.direction_leaves"
+                      : by_lobe(chosen.lobe, shaded_material(), event.line == Line::choose_direction),
             {{"object", shaded()}, {"share", Fraction{max_component(chosen.throughput)}}}};
   }
   static std::string_view photon_by_lobe(Lobe lobe, const Material& material) {

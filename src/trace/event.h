@@ -67,7 +67,13 @@ struct SkyNumbers {
   double pdf;                 ///< per steradian, with which paths that sample the sky aim there
   Rgbd radiance;
 };
-using IntersectionNumbers = std::variant<std::monostate, QuadraticNumbers, PlaneNumbers, SkyNumbers>;
+/// Where light comes out of a body by the dipole (trace/dipole.h).
+struct DipoleNumbers {
+  double distance;   ///< from where it went in
+  Rgbd reflectance;  ///< R_d of this distance, per area
+  Rgbd total;        ///< of all distances
+};
+using IntersectionNumbers = std::variant<std::monostate, QuadraticNumbers, PlaneNumbers, SkyNumbers, DipoleNumbers>;
 
 /// Snell's law at a surface: n1 sin(in) = n2 sin(out).
 struct SnellNumbers {
@@ -165,7 +171,8 @@ struct ShadeComputed {
   std::vector<LightTerm> lights;
   Rgbd reflect, refract;  ///< kr' I(reflect) and kt' I(refract)
   Rgbd total;
-  Rgbd transmittance{1.0};  ///< the transmittance of the absorbing object that the ray passed through
+  Rgbd transmittance{1.0};           ///< the transmittance of the absorbing object that the ray passed through
+  std::optional<Rgbd> irradiance{};  ///< of light between surfaces: kd / pi times it is in the place of ambient light
 };
 
 /// put_final_shade.

@@ -18,13 +18,16 @@ enum class Precision { float_, double_ };
 template <>
 inline constexpr Word<Precision> words_of<Precision>[] = {{Precision::float_, "float"}, {Precision::double_, "double"}};
 
+class BouncedLight;
+
 /// The pixels of a rectangle, row by row; with `stride` > 1 only every `stride`-th column and row, from the first.
 struct PixelBlock {
   int column_begin = 0, column_end = 0, row_begin = 0, row_end = 0;
   int sample = 0;
   int stride = 1;
-  int samples = 1;  ///< from `sample` on: all samples of a pixel before those of the next
-  Stop stop{};      ///< may cancel inside a pixel, which is then not put: tracing throws Stopped
+  int samples = 1;                        ///< from `sample` on: all samples of a pixel before those of the next
+  Stop stop{};                            ///< may cancel inside a pixel, which is then not put: tracing throws Stopped
+  const BouncedLight* bounced = nullptr;  ///< in the place of ambient light, if the tracer's kernel has it
 
   class Iterator {
    public:

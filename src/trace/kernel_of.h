@@ -14,7 +14,7 @@ namespace raywalk::detail {
 template <class Policy, class T>
 Statistics run_tracer(const World<T>& world, const RayGenerator<T>& camera, const PixelBlock& block,
                       const PutPixel<T>& put, typename Policy::Observer& observer) {
-  Tracer<Policy> tracer(world, camera, observer, block.stop);
+  Tracer<Policy> tracer(world, camera, observer, block.stop, block.bounced);
   tracer.main_algorithm(block, put);
   return tracer.statistics();
 }
@@ -82,8 +82,21 @@ inline constexpr auto kernel_sets = [] {
   for (const Scattering& to : scatterings)
     for (const auto& [shadows, penumbra] : lights)
       for (const bool textures : {no, yes}) {
-        const HitEffects set{
-            to.reflection, to.refraction, textures, penumbra, to.lobes, shadows, to.nesting, yes, no, no, no, no, no};
+        const HitEffects set{to.reflection,
+                             to.refraction,
+                             textures,
+                             penumbra,
+                             to.lobes,
+                             shadows,
+                             to.nesting,
+                             yes,
+                             no,
+                             no,
+                             no,
+                             no,
+                             no,
+                             no,
+                             no};
         if (set == widened(set)) sets[at++] = set;
       }
   sets[at++] = no_occlusion;  // for looking, and need not be fast
@@ -101,7 +114,7 @@ inline constexpr auto kernel_sets = [] {
   } else if (set.sky || set.scattering) {
     set = no_filtering_nor_facets;
   } else {
-    set.filtering = set.maps = false;
+    set.filtering = set.maps = set.dipole = set.bounced = false;
   }
   return static_cast<std::size_t>(std::find(kernel_sets.begin(), kernel_sets.end(), widened(set)) -
                                   kernel_sets.begin());
@@ -132,7 +145,7 @@ Kernel<T> fitting_kernel(const World<T>& world) {
   }(std::make_index_sequence<kernel_sets.size()>());
   HitEffects set = hit_effects(world.effects, world.lights.size(), !world.bodies.empty());
   set.occlusion = world.occludes;
-  if ((set.filtering || set.maps) && set.occlusion) return filtering_kernel(world);
+  if ((set.filtering || set.maps || set.bounced) && set.occlusion) return filtering_kernel(world);
   return kernels[kernel_set_for(set)];
 }
 

@@ -6,6 +6,7 @@
 // Spectral Sampling", EGSR 2014; M. Chiang, P. Kutz and B. Burley, "Practical and Controllable Subsurface Scattering",
 // SIGGRAPH Talks 2016).
 
+#include "trace/dipole_exit.h"
 #include "trace/media.h"
 #include "trace/phase.h"
 #include "trace/surface_vertex.h"
@@ -60,6 +61,21 @@ struct MediumVertex : SurfaceVertex<T, with_facets, with_maps> {
   T pdf = 0;                ///< of this direction
 
   MediumVertex(const SurfaceVertex<T, with_facets, with_maps>& at) : SurfaceVertex<T, with_facets, with_maps>(at) {}
+};
+
+/// The same where light may leave a body by the dipole, which has then led here.
+template <class T, bool with_facets = true, bool with_maps = true>
+struct DipoleVertex : MediumVertex<T, with_facets, with_maps> {
+  const Dipole<T>* left_by = nullptr;
+
+  DipoleVertex(const SurfaceVertex<T, with_facets, with_maps>& at) : MediumVertex<T, with_facets, with_maps>(at) {}
+};
+/// A direction that may lead into a body, to where it is left.
+template <class T>
+struct DipoleSample : BsdfSample<T> {
+  std::optional<DipoleExit<T>> exit{};
+
+  DipoleSample(const BsdfSample<T>& sample) : BsdfSample<T>(sample) {}
 };
 
 /// Whether the primitive is of the body's surface that the medium is in. `nested`: the media where bodies nest.

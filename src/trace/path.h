@@ -4,7 +4,7 @@
 // Sampling Techniques for Monte Carlo Rendering", SIGGRAPH 1995), and paths ended by Russian roulette (J. Arvo and D.
 // Kirk, SIGGRAPH 1990). `main_algorithm` and `follow_path` read like trace/pseudocode.h, and a test holds them
 // together; what a statement does stands in trace/path_steps.h, trace/path_light_steps.h and, inside of
-// bodies that scatter light, trace/path_medium_steps.h.
+// bodies that scatter light, trace/path_medium_steps.h or trace/path_dipole_steps.h.
 //
 // Materials are the tracer's: kd / pi is Lambertian, the highlight is a lobe, mirrors and glass are exact. Differences
 // from SHADE: surfaces light each other, so `ambient`, which approximates that, is left out. Russian roulette ends
@@ -22,6 +22,7 @@
 #include "trace/statistics.h"
 #include "trace/surface_vertex.h"
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -85,7 +86,10 @@ class PathTracer {
   using Surface = typename World<T>::Surface;
   /// Whether media may scatter (trace/path_medium_steps.h).
   static constexpr bool media = Policy::effects.scattering;
+  /// Whether they may let light out without a walk (trace/path_dipole_steps.h).
+  static constexpr bool dipoles = media && Policy::effects.dipole;
   struct Nothing {};
+  struct NoExit {};
   /// A ray of the path, with its state.
   struct PathRay {
     Ray ray;
@@ -97,6 +101,8 @@ class PathTracer {
     const Medium* medium = nullptr;  ///< that it travels in, if known
     /// Where it got its direction: its origin, or further back where surfaces were seamless.
     [[no_unique_address]] std::conditional_t<media, Vec3<T>, Nothing> scattered_at{};
+    /// Where light comes out that goes in along it, if that is known.
+    [[no_unique_address]] std::conditional_t<dipoles, std::optional<DipoleExit<T>>, NoExit> exit{};
   };
   using Nearest = std::optional<Hit<T>>;
   /// Where a ray got to: a surface, or where a medium scatters it; else it missed everything.
@@ -106,12 +112,13 @@ class PathTracer {
   using Arrival = std::conditional_t<media, ArrivalInMedium, Nearest>;
   /// A vertex of the path: the hit, prepared with its BSDF.
   static constexpr bool with_facets = Policy::effects.microfacets, with_maps = Policy::effects.maps;
-  using Vertex =
-      std::conditional_t<media, MediumVertex<T, with_facets, with_maps>, SurfaceVertex<T, with_facets, with_maps>>;
+  using Vertex = std::conditional_t<
+      dipoles, DipoleVertex<T, with_facets, with_maps>,
+      std::conditional_t<media, MediumVertex<T, with_facets, with_maps>, SurfaceVertex<T, with_facets, with_maps>>>;
   using Free = std::conditional_t<media, FreePath<T>, Nothing>;
   /// A light sample as seen from a vertex.
   struct LightSample;
-  using BsdfSample = raywalk::BsdfSample<T>;
+  using BsdfSample = std::conditional_t<dipoles, DipoleSample<T>, raywalk::BsdfSample<T>>;
 
   /// FOLLOW PATH (RTNSHADE): the light that arrives along the ray, against its direction.
   Rgb<T> follow_path(std::optional<PathRay> ray) {
@@ -160,7 +167,11 @@ class PathTracer {
   bool scatters_before(PathRay& ray, Free& free, const Nearest& nearest) const;
   Found describe_scattered(const PathRay& ray, const Free& free) const;
   Vertex scatter(const PathRay& ray, const Free& free) const;
-  BsdfSample sample_phase(const Vertex& at);
+  raywalk::BsdfSample<T> sample_phase(const Vertex& at);
+  [[nodiscard]] const Dipole<T>* dipole_behind(const Vertex& at, const BsdfSample& choice) const;
+  void lead_to_exit(const Vertex& at, std::optional<BsdfSample>& choice);
+  Found describe_exit(const PathRay& ray) const;
+  Vertex leave(const PathRay& ray) const;
   Nearest closest_through_media(const LightSample& light_sample, Rgb<T>& transmittance);
   bool decide_missed(const PathRay& ray, const Arrival& arrival);
   Rgb<T> add_background(const Rgb<T>& shade, const PathRay& ray);
@@ -197,6 +208,12 @@ class PathTracer {
     if constexpr (media) return at.phase.has_value();
     return false;
   }
+  /// What of the light that comes out by the dipole goes in a direction, over the mean of all; elsewhere 1.
+  [[nodiscard]] static T leaving(const Vertex& at, const Vec3<T>& direction) {
+    if constexpr (dipoles)
+      if (at.left_by != nullptr) return at.left_by->leaving(std::max(dot(at.outward_normal, direction), T(0)));
+    return 1;
+  }
   [[nodiscard]] static bool absorbs(const Vertex& at) {
     return is_inside(at) ? is_black(at.throughput) : at.bsdf.absorbs();
   }
@@ -208,7 +225,9 @@ class PathTracer {
         return {Rgb<T>(value), value};
       }
     }
-    return at.bsdf.evaluate(direction);
+    BsdfValue<T> value = at.bsdf.evaluate(direction);
+    if constexpr (dipoles) value.value *= leaving(at, direction);
+    return value;
   }
   [[nodiscard]] Ray spawn(const Vertex& at, const Vec3<T>& direction) const {
     if (is_inside(at)) return Ray{raywalk::Ray<T>{at.position, direction, {}, at.time}};
@@ -247,6 +266,7 @@ class PathTracer {
 
 }  // namespace raywalk
 
+#include "trace/path_dipole_steps.h"
 #include "trace/path_light_steps.h"
 #include "trace/path_medium_steps.h"
 #include "trace/path_steps.h"

@@ -102,6 +102,7 @@ std::optional<Ending> PathTracer<Policy>::aim_at_light(LightSample& light_sample
     answers += at.specular * power(n_h, bsdf.shininess);
   }
   if constexpr (Policy::effects.microfacets) answers += bsdf.highlight_of_facets(l);
+  if constexpr (dipoles) answers *= leaving(at, l);
   light_sample.contribution = at.throughput * radiance * answers;
   return std::nullopt;
 }

@@ -34,6 +34,8 @@ template <class Policy>
 auto PathTracer<Policy>::draw_free_path(const PathRay& ray) -> Free {
   if constexpr (media) {
     if (ray.medium == nullptr || !ray.medium->scatters()) return {};
+    if constexpr (dipoles)
+      if (ray.exit) return {};
     const T choice = draw<T>(camera_.sampler(),
                              key_at(ray.length, detail::MediumDimension::channel, Effect::scattering), camera_.count());
     const T u = draw<T>(camera_.sampler(), key_at(ray.length, detail::MediumDimension::distance, Effect::scattering),
@@ -95,7 +97,7 @@ Found PathTracer<Policy>::describe_scattered(const PathRay& ray, const Free& fre
 }
 
 template <class Policy>
-auto PathTracer<Policy>::sample_phase(const Vertex& at) -> BsdfSample {
+auto PathTracer<Policy>::sample_phase(const Vertex& at) -> raywalk::BsdfSample<T> {
   const Vec2<T> unit = draw_pair<T>(
       camera_.sampler(), key_at(at.length, detail::MediumDimension::direction, Effect::scattering), camera_.strata());
   statistics_.drew(Effect::scattering, 2);

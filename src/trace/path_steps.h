@@ -74,6 +74,15 @@ bool PathTracer<Policy>::there_is(const std::optional<PathRay>& ray) {
 
 template <class Policy>
 auto PathTracer<Policy>::find_closest(PathRay& ray, [[maybe_unused]] Free& free) -> Arrival {
+  if constexpr (dipoles) {
+    if (ray.exit) {
+      Arrival at_exit{};
+      at_exit.scattered = true;
+      ++statistics_.ends(Ending::scattered);
+      note(Line::path_find_closest_intersection, ray.length, [&] { return describe_exit(ray); });
+      return at_exit;
+    }
+  }
   Arrival arrival{world_.accelerator.closest(ray.ray, infinity<T>, statistics_.tests)};
   if constexpr (media) {
     if (scatters_before(ray, free, arrival)) {
@@ -134,6 +143,12 @@ auto PathTracer<Policy>::add_sky(const Rgb<T>& shade, const PathRay& ray) -> Rgb
 template <class Policy>
 auto PathTracer<Policy>::prepare(const PathRay& ray, const Arrival& arrival, [[maybe_unused]] const Free& free)
     -> Vertex {
+  if constexpr (dipoles) {
+    if (ray.exit) {
+      differential_.arrive_inside(ray.exit->distance);
+      return leave(ray);
+    }
+  }
   if constexpr (media) {
     if (arrival.scattered) {
       differential_.arrive_inside(free.length);
@@ -153,6 +168,8 @@ auto PathTracer<Policy>::prepare(const PathRay& ray, const Arrival& arrival, [[m
 template <class Policy>
 void PathTracer<Policy>::add_emission(Rgb<T>& shade, const PathRay& ray, const Vertex& at) {
   if (is_inside(at)) return;
+  if constexpr (dipoles)
+    if (at.left_by != nullptr) return;
   const Rgb<T>& emission = at.values().emission;
   if (is_black(emission) && !Observer::watches) return;
   T light_pdf = 0;
@@ -195,7 +212,11 @@ auto PathTracer<Policy>::choose_direction(const PathRay& ray, const Vertex& at) 
       statistics_.drew(effect, 2);
     }
     choice = at.bsdf.sample(lobe, unit, u);
-    if (is_black(choice->weight)) choice.reset();
+    if constexpr (dipoles) {
+      choice->weight *= leaving(at, choice->direction);
+      lead_to_exit(at, choice);
+    }
+    if (choice && is_black(choice->weight)) choice.reset();
   }
   note(Line::choose_direction, ray.length, [&] {
     if (!choice) return DirectionChosen{true};
@@ -247,11 +268,14 @@ auto PathTracer<Policy>::form_next_ray(const Vertex& at, const BsdfSample& choic
     next.scattered_at = next.ray.origin;
     if (at.seamless && kind == RayKind::refract) next.scattered_at = at.scattered_at, next.pdf = at.pdf;
   }
+  if constexpr (dipoles) next.exit = choice.exit;
   ++statistics_.formed(kind);
   note(Line::form_next_ray, at.length, [&] {
     RayFormed event{next.number,          at.number, kind, Vec3d(next.ray.origin), Vec3d(choice.direction),
                     Rgbd(next.throughput)};
-    if (kind == RayKind::refract) event.snell = snell_numbers(at, choice.direction);
+    bool bends = kind == RayKind::refract;
+    if constexpr (dipoles) bends = bends && !choice.exit;
+    if (bends) event.snell = snell_numbers(at, choice.direction);
     return event;
   });
   return next;

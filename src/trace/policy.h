@@ -36,13 +36,24 @@ struct HitEffects {
   bool filtering = true;    ///< rays carry differentials, by which patterns are filtered
   bool microfacets = true;  ///< mirrors of metal, and of small mirrors
   bool maps = true;         ///< surfaces are different from point to point, other than by a pattern of ka and kd
+  bool dipole = true;       ///< paths that go into a body that scatters may leave it without a walk
+  bool bounced = true;      ///< light that surfaces send each other is in the place of ambient light
   friend bool operator==(const HitEffects&, const HitEffects&) = default;
 };
 inline constexpr HitEffects all_hit_effects{};
 inline constexpr HitEffects no_occlusion{.occlusion = false};
-inline constexpr HitEffects no_maps{.maps = false};
-inline constexpr HitEffects no_filtering{.filtering = false, .maps = false};
-inline constexpr HitEffects no_filtering_nor_facets{.filtering = false, .microfacets = false, .maps = false};
+/// Each of these is without the last three, which few scenes call for.
+inline constexpr HitEffects no_maps{.maps = false, .dipole = false, .bounced = false};
+inline constexpr HitEffects no_filtering = [] {
+  HitEffects set = no_maps;
+  set.filtering = false;
+  return set;
+}();
+inline constexpr HitEffects no_filtering_nor_facets = [] {
+  HitEffects set = no_filtering;
+  set.microfacets = false;
+  return set;
+}();
 /// With sharp rays and sharp shadows alone: what most scenes have that filter; and without mirrors and glass.
 inline constexpr HitEffects plain_filtering{.penumbra = false,
                                             .lobes = false,
@@ -50,7 +61,9 @@ inline constexpr HitEffects plain_filtering{.penumbra = false,
                                             .scattering = false,
                                             .sky = false,
                                             .microfacets = false,
-                                            .maps = false};
+                                            .maps = false,
+                                            .dipole = false,
+                                            .bounced = false};
 inline constexpr HitEffects matt_filtering = [] {
   HitEffects set = plain_filtering;
   set.reflection = set.refraction = false;
@@ -88,7 +101,9 @@ inline constexpr std::size_t few_lights = 64;
           effects.used(Effect::sky),
           effects.used(Effect::filtering),
           effects.used(Effect::microfacets),
-          effects.used(Effect::maps)};
+          effects.used(Effect::maps),
+          false,
+          effects.used(Effect::indirect_light)};
 }
 
 /// Everything about the tracer that is fixed when it is compiled.

@@ -1,5 +1,6 @@
 #include "trace/radiosity_kernel.h"
 
+#include "scene/effects.h"
 #include "trace/radiosity.h"
 
 namespace raywalk {
@@ -11,6 +12,7 @@ RadiositySettings radiosity_settings_of(const Scene& scene, bool flat) {
   settings.patches.flat = flat;
   settings.tolerance = choices.tolerance;
   settings.shots = choices.shots;
+  settings.as_ambient = takes_ambient_from_patches(scene);
   return settings;
 }
 
@@ -41,7 +43,8 @@ void RadiosityKernel<T>::solve(const Stop& stop, const Shooting& shooting) {
   patches_ = std::make_shared<const Patches>(scene_, settings_.patches, stop);
   factors_ = std::make_unique<FormFactors>(*patches_);
   state_ = shoot_light(*factors_, settings_, shooting, stop);
-  irradiance_ = PatchIrradiance(*factors_, state_.lights, shooting.run_all, stop);
+  irradiance_ = PatchIrradiance(*factors_, state_.lights, shooting.run_all, stop, settings_.as_ambient);
+  bounced_ = BouncedLight(*patches_, irradiance_);
   solved_ = true;
 }
 

@@ -32,6 +32,7 @@ class RadiosityKernel {
   [[nodiscard]] const RadiosityState& state() const { return state_; }
   [[nodiscard]] const std::shared_ptr<const Patches>& patches() const { return patches_; }
   [[nodiscard]] const RadiositySettings& settings() const { return settings_; }
+  [[nodiscard]] const BouncedLight& bounced() const { return bounced_; }
 
   Statistics operator()(const RayGenerator<T>& camera, const PixelBlock& block, const PutPixel<T>& put) const;
   /// The same observed by `observer`: same bits, same statistics.
@@ -53,6 +54,7 @@ class RadiosityKernel {
   std::unique_ptr<FormFactors> factors_;
   RadiosityState state_;
   PatchIrradiance irradiance_;
+  BouncedLight bounced_;
   bool solved_ = false;
 };
 

@@ -37,21 +37,21 @@ const std::vector<FormFactors::Entry>& FormFactors::row(int patch, const RunAll&
 }
 
 PatchIrradiance::PatchIrradiance(FormFactors& factors, const std::vector<PatchLight>& lights, const RunAll& run_all,
-                                 const Stop& stop) {
+                                 const Stop& stop, bool as_ambient) {
   const Patches& patches = factors.patches();
   std::vector<int> sources;
   for (int patch = 0; patch < patches.size(); ++patch)
     if (!is_black(patches[patch].emission)) sources.push_back(patch);
-  const bool has_elements = !patches.is_flat() && sources.size() <= most_sources;
+  const bool has_elements = !as_ambient && !patches.is_flat() && sources.size() <= most_sources;
 
   // What reached each patch by way of others.
   std::vector<Rgbd> bounced(lights.size());
-  if (has_elements) {
+  if (has_elements || as_ambient) {
     for_all(run_all, patches.size(), [&](int patch) {
       const auto index = static_cast<std::size_t>(patch);
       if (!stop.asked()) bounced[index] = lights[index].irradiance - patches.light_of_lamps(patch);
     });
-    for (const int source : sources)
+    for (const int source : has_elements ? sources : std::vector<int>())
       for (const FormFactors::Entry& entry : factors.row(source, run_all, stop))
         bounced[static_cast<std::size_t>(entry.other)] -=
             entry.exchange / patches[entry.other].area * patches[source].emission;
@@ -73,7 +73,7 @@ PatchIrradiance::PatchIrradiance(FormFactors& factors, const std::vector<PatchLi
       int lit = 0;
       for (const int each : about) {
         const Rgbd& irradiance = lights[static_cast<std::size_t>(each)].irradiance;
-        sum += elements_[index].empty() ? irradiance : bounced[static_cast<std::size_t>(each)];
+        sum += !as_ambient && elements_[index].empty() ? irradiance : bounced[static_cast<std::size_t>(each)];
         lit += is_black(irradiance) ? 0 : 1;
       }
       corners_[index][static_cast<std::size_t>(corner)] = sum / static_cast<double>(std::max(lit, 1));

@@ -15,6 +15,7 @@ struct RadiositySettings {
   PatchSettings patches;
   double tolerance = 0.005;  ///< as much of the first light may stay unshot
   int shots = 100000;        ///< most
+  bool as_ambient = false;   ///< what lamps send straight to surfaces is not looked up
 };
 
 /// What each patch exchanges with those in front of it: rows of A1 F12, each computed when its patch first shoots. A
@@ -61,12 +62,13 @@ struct Shooting {
 
 /// The light at any place: between the corners of patches, each with the mean of the patches about it. In space, what
 /// comes straight to flat surfaces has elements of its own (trace/patch_elements.h), unless more than `most_sources`
-/// patches emit: then its shadows are as soft as patches are large.
+/// patches emit: then its shadows are as soft as patches are large. `as_ambient`: without what lamps send straight, and
+/// without such elements.
 class PatchIrradiance {
  public:
   PatchIrradiance() = default;
   PatchIrradiance(FormFactors& factors, const std::vector<PatchLight>& lights, const RunAll& run_all = {},
-                  const Stop& stop = {});
+                  const Stop& stop = {}, bool as_ambient = false);
   /// `normal`: of the side that is seen. Black where no patch is.
   [[nodiscard]] Rgbd at(const Patches::Place& place) const;
 
@@ -75,6 +77,23 @@ class PatchIrradiance {
  private:
   std::vector<std::array<Rgbd, 4>> corners_;  ///< without what elements have
   std::vector<PatchElements> elements_;       ///< by patch; empty ones for those that have none
+};
+
+/// The light that surfaces send each other, in the place of ambient light: kd / pi times the irradiance by what emits
+/// and by all that has been reflected before. What lamps send straight is the tracer's.
+class BouncedLight {
+ public:
+  BouncedLight() = default;
+  BouncedLight(const Patches& patches, const PatchIrradiance& irradiance)
+      : patches_(&patches), irradiance_(&irradiance) {}
+  /// At a place of a primitive. `normal`: of the side that is seen. An irradiance; black where no patch is.
+  [[nodiscard]] Rgbd irradiance_at(int primitive, const Vec3d& position, const Vec3d& normal) const {
+    return irradiance_->at(patches_->place_of(primitive, position, normal));
+  }
+
+ private:
+  const Patches* patches_ = nullptr;
+  const PatchIrradiance* irradiance_ = nullptr;
 };
 
 }  // namespace raywalk

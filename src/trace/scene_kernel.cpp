@@ -20,11 +20,15 @@ Statistics run_procedure(const World<T>& world, const RayGenerator<T>& camera, c
     procedure.main_algorithm(block, put);
     return procedure.statistics();
   };
-  [[maybe_unused]] constexpr HitEffects clear{
-      .scattering = false, .filtering = false, .microfacets = false, .maps = false},
-      no_sky{.scattering = false, .sky = false, .filtering = false, .microfacets = false, .maps = false},
-      neither{
-          .nesting = false, .scattering = false, .sky = false, .filtering = false, .microfacets = false, .maps = false};
+  constexpr auto without = [](auto... members) {
+    HitEffects set = no_filtering_nor_facets;
+    ((set.*members = false), ...);
+    return set;
+  };
+  [[maybe_unused]] constexpr HitEffects clear = without(&HitEffects::scattering),
+                                        no_sky = without(&HitEffects::scattering, &HitEffects::sky),
+                                        neither =
+                                            without(&HitEffects::scattering, &HitEffects::sky, &HitEffects::nesting);
   if constexpr (few_kernels && !Watcher::watches) {
     if (world.numerics == Numerics::naive) {
       ForgetfulObserver forgetful;
@@ -34,7 +38,9 @@ Statistics run_procedure(const World<T>& world, const RayGenerator<T>& camera, c
     return run_with.template operator()<Policy<T, Watcher, all_hit_effects, Numerics::naive>>();
   }
   if constexpr (!Watcher::watches) {
-    if (!world.surface_maps.empty()) return run_with.template operator()<Policy<T, Watcher>>();
+    if (!world.dipoles.empty()) return run_with.template operator()<Policy<T, Watcher>>();
+    constexpr HitEffects no_dipole{.dipole = few_kernels};
+    if (!world.surface_maps.empty()) return run_with.template operator()<Policy<T, Watcher, no_dipole>>();
     const bool filters = world.filters(), scatters = world.effects.used(Effect::scattering);
     const bool facets = !world.microsurfaces.empty();
     if (!filters && !facets && !scatters && !world.sky && world.bodies.empty())
@@ -74,7 +80,9 @@ SceneKernel<T>::SceneKernel(const Scene& scene, const World<T>& world, const std
     cones_ = std::make_unique<const Cones>(Cones{cone_bodies_of(scene, flat), flat});
   if (integrator_ == Integrator::beams && !flat && why_no_space_beams(scene).empty())
     beams_ = std::make_unique<const BeamFaces>(beam_faces_of(scene));
-  if (integrator_ == Integrator::radiosity) radiosity_ = std::make_unique<Radiosity>(scene, world, flat);
+  const bool as_ambient = !paths && !world.fault && takes_ambient_from_patches(scene);
+  if (integrator_ == Integrator::radiosity || as_ambient)
+    radiosity_ = std::make_unique<Radiosity>(scene, world, flat && !as_ambient);
 }
 
 template <class T>
@@ -120,17 +128,19 @@ Statistics SceneKernel<T>::run(const RayGenerator<T>& camera, const PixelBlock& 
     else
       return trace_space_beams(world_, *beams_, camera, block, put);
   }
-  if (radiosity_) {
-    shoot_light(block.stop);
+  if (radiosity_) shoot_light(block.stop);
+  if (integrator_ == Integrator::radiosity) {
     if constexpr (Watcher::watches)
       return radiosity_->kernel.watched(camera, block, observer, put);
     else
       return radiosity_->kernel(camera, block, put);
   }
+  PixelBlock lit = block;
+  if (radiosity_) lit.bounced = &radiosity_->kernel.bounced();
   if constexpr (Watcher::watches)
-    return trace_watched(world_, camera, block, put, observer);
+    return trace_watched(world_, camera, lit, put, observer);
   else
-    return kernel_(world_, camera, block, put);
+    return kernel_(world_, camera, lit, put);
 }
 
 template <class T>

@@ -34,11 +34,14 @@ class SceneKernel {
                           const std::function<void(int photons)>& sent = {}) const;
   /// Null: the scene is traced in another way.
   [[nodiscard]] const PhotonKernel<T>* photons() const { return photons_ ? &photons_->kernel : nullptr; }
-  /// Shoots the light of patches, if the scene is traced by radiosity; else, or without this, whichever block comes
-  /// first does.
+  /// Shoots the light of patches, if the scene is traced by radiosity or takes ambient light from it; else, or without
+  /// this, whichever block comes first does.
   void shoot_light(const Stop& stop = {}, const Shooting& shooting = {}) const;
   /// Null: the scene is traced in another way.
-  [[nodiscard]] const RadiosityKernel<T>* radiosity() const { return radiosity_ ? &radiosity_->kernel : nullptr; }
+  [[nodiscard]] const RadiosityKernel<T>* radiosity() const {
+    return integrator_ == Integrator::radiosity ? &radiosity_->kernel : nullptr;
+  }
+  [[nodiscard]] bool shoots_light() const { return radiosity_ != nullptr; }
   /// Whether it traces cones, in a flat world.
   [[nodiscard]] bool has_flat_cones() const { return cones_ && cones_->flat; }
   /// The same observed by `observer`: same bits, same statistics.
@@ -68,7 +71,7 @@ class SceneKernel {
     RadiosityKernel<T> kernel;
     std::mutex solving;
   };
-  std::unique_ptr<Radiosity> radiosity_;
+  std::unique_ptr<Radiosity> radiosity_;  ///< also for ambient light
   struct Cones {
     ConeBodies bodies;
     bool flat;

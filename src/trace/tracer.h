@@ -11,6 +11,7 @@
 #include "trace/optics.h"
 #include "trace/pattern_filter.h"
 #include "trace/policy.h"
+#include "trace/radiosity_pass.h"
 #include "trace/ray_generator.h"
 #include "trace/statistics.h"
 #include "trace/world.h"
@@ -30,14 +31,17 @@ class Tracer {
   using Ray = typename Policy::Ray;
   using Observer = typename Policy::Observer;
 
-  /// `stop` may cancel inside a pixel: `main_algorithm` then throws Stopped.
-  Tracer(const World<T>& world, const RayGenerator<T>& camera, Observer& observer, const Stop& stop = {})
+  /// `stop` may cancel inside a pixel: `main_algorithm` then throws Stopped. `bounced`: in the place of ambient light.
+  Tracer(const World<T>& world, const RayGenerator<T>& camera, Observer& observer, const Stop& stop = {},
+         const BouncedLight* bounced = nullptr)
       : world_(world),
         camera_(camera),
         observer_(observer),
         stop_(stop),
         last_blockers_(world.lights.size(), -1),
-        nested_(world) {}
+        nested_(world) {
+    if constexpr (Policy::effects.bounced) bounced_.light = bounced;
+  }
 
   /// MAIN ALGORITHM. `pixels` yields Pixel; `put(pixel, shade)` receives each final shade.
   template <class Pixels, class Put>
@@ -88,6 +92,10 @@ class Tracer {
   /// The differential of a ray that was spawned, or of any that has arrived at a hit; only in kernels that filter.
   struct Neighbours {
     RayDifferential<T> differential;
+  };
+  /// What is in the place of ambient light, if anything is; only in kernels that look it up.
+  struct Bounced {
+    const BouncedLight* light = nullptr;
   };
   template <class Member>
   struct Without {};
@@ -264,7 +272,8 @@ class Tracer {
   Stop stop_;
   Statistics statistics_;
   typename RayGenerator<T>::PixelDraws pixel_draws_;
-  [[no_unique_address]] Only<draws, RandomKey> key_{};                   ///< of the current sample
+  [[no_unique_address]] Only<draws, RandomKey> key_{};  ///< of the current sample
+  [[no_unique_address]] Only<Policy::effects.bounced, Bounced> bounced_{};
   int rays_formed_ = 0;                                                  ///< numbers the rays of a recording
   [[no_unique_address]] Only<Policy::faulty, Generation> generation_{};  ///< rays formed before the current pixel
   std::vector<int> filters_met_;                                         ///< kept so that no shadow ray allocates

@@ -383,7 +383,15 @@ auto Tracer<Policy>::differential_after(const ShadingPoint& at, const TreeRay& r
 template <class Policy>
 auto Tracer<Policy>::compute_rtnshade(int depth, const ShadingPoint& at, const DirectLighting& direct,
                                       const Rgb<T>& reflected, const Rgb<T>& refracted) -> Rgb<T> {
-  const Rgb<T> ambient = at.ambient() * world_.ambient;
+  Rgb<T> ambient = at.ambient() * world_.ambient;
+  [[maybe_unused]] std::optional<Rgbd> irradiance;
+  if constexpr (Policy::effects.bounced) {
+    if (bounced_.light != nullptr) {
+      irradiance =
+          bounced_.light->irradiance_at(at.departure.primitive, Vec3d(at.position), Vec3d(at.geometric_normal()));
+      ambient = at.diffuse() * Rgb<T>(*irradiance * (1 / pi_v<double>));
+    }
+  }
   Rgb<T> total = ambient + at.values().emission + direct.sum + reflected + refracted;
   if (Policy::effects.refraction && at.transmittance) total *= *at.transmittance;
   if constexpr (Observer::watches)
@@ -394,7 +402,8 @@ auto Tracer<Policy>::compute_rtnshade(int depth, const ShadingPoint& at, const D
                            Rgbd(reflected),
                            Rgbd(refracted),
                            Rgbd(total),
-                           Rgbd(at.transmittance.value_or(Rgb<T>(1)))};
+                           Rgbd(at.transmittance.value_or(Rgb<T>(1))),
+                           irradiance};
     });
   return total;
 }

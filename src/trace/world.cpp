@@ -271,6 +271,19 @@ class Flattener {
   int top_ = 0;
 };
 
+/// Light leaves all that scatters by the dipole: nothing is seen through it any more.
+template <class T>
+void prepare_dipoles(World<T>& world) {
+  for (auto& its : world.surfaces) {  // in the order of their scatterings
+    if (!its.scatters()) continue;
+    const auto& how = world.scatterings[static_cast<std::size_t>(its.scattering)];
+    Rgb<T> absorption = its.extinction - how.coefficient;
+    for (int channel = 0; channel < 3; ++channel) absorption[channel] = std::max(absorption[channel], T(0));
+    world.dipoles.emplace_back(absorption, how.coefficient, how.anisotropy, its.ior, its.dielectric);
+    if (its.seamless) its.seamless = its.filters_shadows = false;
+  }
+}
+
 /// What rough surfaces need to know of the whole world: glass, between its index and those of what may touch it: air,
 /// and where bodies nest, the others.
 template <class T>
@@ -320,6 +333,9 @@ World<T>::World(const Scene& scene, AcceleratorKind kind, std::optional<Fault> i
       Surface& its = surfaces[static_cast<std::size_t>(&surface(id) - surfaces.data())];
       its.endless = its.endless || (its.scatters() && !accelerator.primitives().box(id).bounded());
     }
+  bodies = bodies_that_nest(*this, scene.camera);
+  for (Surface& each : surfaces) each.nests = !bodies.empty();
+  if (scene.render.subsurface == Subsurface::dipole && bodies.empty()) prepare_dipoles(*this);
   for (int id = 0; id < accelerator.primitives().own_size(); ++id) {
     if (!surface(id).filters_shadows) {
       shadow_roles.push_back(ShadowRole::stops);
@@ -337,8 +353,6 @@ World<T>::World(const Scene& scene, AcceleratorKind kind, std::optional<Fault> i
     light.first_dimension = dimension;
     dimension += 2 * static_cast<std::uint32_t>(light.samples());
   }
-  bodies = bodies_that_nest(*this, scene.camera);
-  for (Surface& each : surfaces) each.nests = !bodies.empty();
   prepare_rough_surfaces(*this);
 }
 

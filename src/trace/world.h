@@ -4,6 +4,7 @@
 #include "scene/effects.h"
 #include "scene/scene.h"
 #include "trace/bodies.h"
+#include "trace/dipole.h"
 #include "trace/fault.h"
 #include "trace/microfacets.h"
 #include "trace/rough_dielectric.h"
@@ -156,6 +157,8 @@ struct World {
 
   std::vector<Surface> surfaces;
   std::vector<Scattering> scatterings;  ///< of the media that scatter
+  /// The same: by which light comes out of them without a walk. Empty where it walks.
+  std::vector<Dipole<T>> dipoles;
   std::vector<Light> lights;
   Rgb<T> background, ambient;
   std::shared_ptr<const SkyLight> sky;  ///< null: the background is the same everywhere

@@ -150,6 +150,8 @@ RenderChoices random_choices(Random& random) {
   if (random.chance(0.5)) choices.radiosity.shots = 1 + static_cast<int>(random.below(1000));
   if (random.chance(0.5)) choices.numerics = Numerics::naive;
   if (random.chance(0.5)) choices.epsilon = random.unit();
+  choices.subsurface = static_cast<Subsurface>(random.below(values_of<Subsurface>.size()));
+  choices.radiosity.as_ambient = random.chance(0.5);
   return choices;
 }
 

@@ -247,6 +247,15 @@ mutant media_absorption_forgotten media trace/medium_walk.h 'return left * scatt
 mutant media_absorption_scatters media trace/medium_walk.h 'dot(odds, left * medium->extinction)' 'dot(odds, left * scattering.coefficient)'
 mutant media_odds_of_all_alike media trace/medium_walk.h 'odds = sum > 0 ? throughput * (1 / sum) : Rgb<T>(T(1) / 3);' 'odds = Rgb<T>(T(1) / 3);'
 mutant media_free_path_inverted media trace/medium_walk.h '-portable::log1p(-u) / extinction' '-portable::log1p(-u) * extinction'
+mutant dipole_sources_in_one_place dipole trace/dipole.h 'real_[c] * (1 + 4 * a / 3)' 'real_[c]'
+mutant dipole_without_a_boundary dipole trace/dipole.h 'a = (1 + reflected_inside) / (1 - reflected_inside)' 'a = 1 + 0 * reflected_inside'
+mutant dipole_directions_over_n dipole trace/dipole.h 'mean_transmittance_ / (ior * ior)' 'mean_transmittance_ / ior'
+mutant dipole_anisotropy_forgotten dipole trace/dipole.h 'scattering[c] * (1 - anisotropy)' 'scattering[c] + 0 * anisotropy'
+mutant dipole_falls_by_what_scatters dipole trace/dipole.h '3 * absorption[c] * extinction' '3 * absorption[c] * scattered'
+mutant dipole_of_one_source dipole trace/dipole.h '(from(real_[channel]) + from(virtual_[channel]))' 'from(real_[channel])'
+mutant dipole_light_lost_at_the_boundary dipole trace/dipole.h 'transmittance(cos) / mean_transmittance_' 'transmittance(cos)'
+mutant dipole_distance_from_the_source dipole trace/dipole.h 'z * std::sqrt(grown * (2 + grown))' 'z * (1 + grown)'
+mutant dipole_sources_drawn_alike dipole trace/dipole.h 'of_real / (of_real + of_virtual)' 'T(0.5) + 0 * of_virtual * of_real'
 
 # Rays with width.
 mutant differentials_transfer_without_dt differentials trace/ray_differential.h 'return {without_dt + dt * D, ray.dD};' 'return {without_dt, ray.dD};'

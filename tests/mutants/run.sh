@@ -52,6 +52,7 @@ verdict() {
   [[ $2 == photons ]] && program=("-I$root/tests" "$root/tests/trace/photon_map_test.cpp" "$4/src/trace/photon_map.cpp") \
     libraries=("${catch2[@]}")
   [[ $2 == media ]] && program=("-I$root/tests" "$root/tests/trace/"{phase,free_path}_test.cpp "$4/src/math/sampler.cpp") libraries=("${catch2[@]}")
+  [[ $2 == dipole ]] && program=("-I$root/tests" "$root/tests/trace/dipole_test.cpp") libraries=("${catch2[@]}")
   [[ $2 == radiosity ]] && program=("-I$root/tests" "$root/tests/trace/form_factor_test.cpp" "$4/src/trace/form_factor.cpp") \
     libraries=("${catch2[@]}")
   [[ $2 == facets ]] && program=("-I$root/tests" "$root/tests/trace/microfacets_test.cpp" "$4/src/trace/microfacets.cpp" "$4/src/math/sampler.cpp") \

@@ -62,6 +62,39 @@ TEST_CASE("radiosity: threads, the order of tiles and the accelerator change no 
   }
 }
 
+TEST_CASE("ambient light by radiosity: neither threads nor accelerators change a bit, and its progress is told") {
+  Scene scene = room();
+  scene.render.integrator = Integrator::whitted;
+  scene.render.radiosity.as_ambient = true;
+  scene.lights = {{"Lamp", Rgbd(1.0), PointLight{{-1, 0.3, 0.5}, {0, 0, 1}}}};
+  RenderSettings settings;
+  settings.size = ImageSize{40, 36};
+  settings.threads = 1;
+  std::vector<double> done;
+  settings.progress = [&](const Progress& progress) { done.push_back(progress.done); };
+  const auto one = render(scene, settings);
+  REQUIRE(one);
+  CHECK(std::is_sorted(done.begin(), done.end()));
+  CHECK(done.back() == 1);
+  settings.progress = {};
+  settings.threads = 3;
+  settings.accelerator = AcceleratorKind::octree;
+  const auto other = render(scene, settings);
+  REQUIRE(other);
+  CHECK(same_pixels(*one, *other));
+  CHECK(one->statistics.random_draws() == 0);
+  // Another tracer, the same light: but for what is straight.
+  scene.render.radiosity.as_ambient = false;
+  const auto without = render(scene, settings);
+  REQUIRE(without);
+  CHECK_FALSE(same_pixels(*one, *without));
+  Stopper stopper;
+  stopper.raised = true;
+  settings.stop = Stop(stopper);
+  scene.render.radiosity.as_ambient = true;
+  CHECK_FALSE(render(scene, settings)->finished);
+}
+
 TEST_CASE("radiosity that is stopped before its first pixel is not finished") {
   Stopper stopper;
   stopper.raised = true;
@@ -80,4 +113,8 @@ TEST_CASE("a scene that radiosity cannot cut is an error with the object's name"
   const auto refused = render(scene, {});
   REQUIRE_FALSE(refused);
   CHECK_THAT(refused.error().text(), contains("\"Ground\"") && contains("endless") && contains("hint"));
+  scene.render.integrator = Integrator::whitted;
+  CHECK(render(scene, {}));
+  scene.render.radiosity.as_ambient = true;
+  CHECK_FALSE(render(scene, {}));
 }

@@ -124,9 +124,10 @@ inline constexpr std::array<std::string_view, 10> sky_messages{
     "walk.sky_seen",           "walk.sky_hidden",         "walk.sky_seen_below", "walk.sky_added",
     "walk.sky_added_weighted", "walk.background_weighted"};
 
-/// Of bodies that scatter light.
+/// Of bodies that scatter light, and of those that are left by the dipole.
 inline constexpr std::array<std::string_view, 2> scattering_messages{"walk.scattered_inside",
                                                                      "walk.direction_scattered"};
+inline constexpr std::array<std::string_view, 2> dipole_messages{"walk.left_by_dipole", "walk.direction_leaves"};
 
 /// Of a pixel of the 3-D image.
 inline constexpr std::array<std::string_view, 3> image_messages{"walk.image_pixel_begun", "walk.image_primary_formed",
@@ -145,6 +146,7 @@ inline std::set<std::string> strip_messages() {
         std::find(cone_messages.begin(), cone_messages.end(), id) == cone_messages.end() &&
         std::find(sky_messages.begin(), sky_messages.end(), id) == sky_messages.end() &&
         std::find(scattering_messages.begin(), scattering_messages.end(), id) == scattering_messages.end() &&
+        std::find(dipole_messages.begin(), dipole_messages.end(), id) == dipole_messages.end() &&
         std::find(image_messages.begin(), image_messages.end(), id) == image_messages.end())
       ids.emplace(id);
   return ids;

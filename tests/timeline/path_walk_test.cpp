@@ -212,6 +212,42 @@ TEST_CASE("every message about a body that scatters light is reached, and names 
   }
 }
 
+TEST_CASE("by the dipole, light comes out of the body that it went into, on its surface, and both are said") {
+  Scene scene;
+  scene.background = Rgbd(0.5);
+  scene.camera.eye = {-4, 0, 0};
+  scene.camera.screen = {1, 0.6, 9};
+  scene.render.integrator = Integrator::path;
+  scene.render.subsurface = Subsurface::dipole;
+  Material milk;
+  milk.diffuse = milk.specular = Rgbd(0.0);
+  milk.transmission = Rgbd(1.0);
+  milk.ior = 1;
+  milk.scattering = Rgbd(9.0);
+  milk.absorption = Rgbd(0.3);
+  scene.objects.push_back({"Milk", Sphere<double>{{-1, 0, 0}, 0.8}, milk});
+  std::set<std::string_view> found;
+  const Timeline timeline = record_strip(scene);
+  for (int position = 1; position <= timeline.steps(); ++position) {
+    const Message message = describe(scene, timeline, position);
+    found.insert(message.id);
+    if (message.id == "walk.direction_leaves") CHECK(std::get<std::string>(message.arguments.at(0).value) == "Milk");
+    CHECK(message.id != "walk.scattered_inside");
+    if (message.id != "walk.left_by_dipole") continue;
+    const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(timeline.current_ray(position))];
+    CHECK(scene.objects[static_cast<std::size_t>(ray.object)].name == "Milk");
+    CHECK(length(ray.end - Vec3d(-1, 0, 0)) == Approx(0.8));
+    // As it is drawn: from where light went in straight to where it comes out.
+    CHECK(length(ray.origin - Vec3d(-1, 0, 0)) == Approx(0.8));
+    CHECK(length(normalize(ray.end - ray.origin) - ray.direction) < 1e-6);
+    CHECK(std::get<double>(message.arguments.at(2).value) == Approx(length(ray.end - ray.origin)));
+  }
+  for (const std::string_view id : test::dipole_messages) {
+    INFO(id);
+    CHECK(found.count(id) == 1);
+  }
+}
+
 TEST_CASE("a hit is named to the triangle of a mesh and the member of a group") {
   auto mesh = std::make_shared<Mesh>();
   mesh->positions = {{0, -1, -1}, {0, 1, -1}, {0, 1, 1}, {0, -1, 1}};

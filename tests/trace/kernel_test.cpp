@@ -56,8 +56,8 @@ Scene scene_for(const HitEffects& set) {
 
 constexpr HitEffects with(bool reflection, bool refraction, bool textures, bool penumbra, bool lobes, bool nesting,
                           bool sky = false, bool filtering = false, bool microfacets = false, bool maps = false) {
-  return {reflection, refraction, textures, penumbra,  lobes,       true, nesting,
-          true,       false,      sky,      filtering, microfacets, maps};
+  return {reflection, refraction, textures,  penumbra,    lobes, true,  nesting, true,
+          false,      sky,        filtering, microfacets, maps,  false, false};
 }
 constexpr HitEffects sets[] = {with(false, false, false, false, false, false),
                                with(false, false, true, true, false, false),

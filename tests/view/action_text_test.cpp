@@ -107,6 +107,7 @@ TEST_CASE("a line that was written reads back as the same action") {
       {ShowCosts{CostPicture::difference, study::CostAxis::seconds, 0.25}, "cost-show difference seconds 0.25"},
       {ShowCostPage{CostPage::effects}, "cost-page effects"},
       {SetNumerics{Numerics::naive, 0.001}, "numerics naive 0.001"},
+      {SetLightWays{Subsurface::dipole, true}, "light-ways dipole on"},
       {ChooseStructure{AcceleratorKind::octree}, "structure octree"},
       {ShowStructurePage{StructurePage::build}, "structure-page build"},
       {GoInStructure{7}, "structure-go 7"},

@@ -62,6 +62,8 @@ TEST_CASE("every member of a family has its text, and none is there for nobody")
     (choose(Kinds::name), ...);
   }(static_cast<const AnySky*>(nullptr));
   for (const Numerics numerics : values_of<Numerics>) ask("numerics", name_of(numerics), text(numerics, language));
+  for (const Subsurface subsurface : values_of<Subsurface>)
+    ask("subsurface", name_of(subsurface), text(subsurface, language));
   for (int i = 0; i < effect_count; ++i)
     ask("effect", name_of(static_cast<Effect>(i)), text(static_cast<Effect>(i), language));
   for (const Fault fault : values_of<Fault>)
@@ -75,8 +77,8 @@ TEST_CASE("every member of a family has its text, and none is there for nobody")
     if (id.starts_with("explanation."))
       CHECK(Catalogue::embedded().find("property." + std::string(id.substr(id.find('.') + 1))) != nullptr);
     if (family == "ray" && id.starts_with("ray.short_")) continue;
-    for (const std::string_view own :
-         {"ray", "ending", "accelerator", "integrator", "sampler", "numerics", "effect", "fault", "choice"})
+    for (const std::string_view own : {"ray", "ending", "accelerator", "integrator", "sampler", "numerics",
+                                       "subsurface", "effect", "fault", "choice"})
       if (family == own) CHECK(known.count(std::string(id)) == 1);
   }
 }

@@ -279,6 +279,13 @@ void action::SetNumerics::apply(State& state) const {
   commit_edit(state, *this, std::move(next));
 }
 
+void action::SetLightWays::apply(State& state) const {
+  Scene next = state.scene();
+  next.render.subsurface = subsurface;
+  next.render.radiosity.as_ambient = as_ambient;
+  commit_edit(state, *this, std::move(next));
+}
+
 void action::SetSurroundings::apply(State& state) const {
   Scene next = state.scene();
   next.background = background;

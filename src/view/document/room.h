@@ -168,6 +168,15 @@ struct SetNumerics {
   static void fields(auto& f, auto& a) { f(a.numerics), f(a.epsilon, Number::any), f(a.continues, Unwritten{}); }
   void apply(State& state) const;
 };
+/// The same: how light gets through bodies that scatter it, and whether patches give ambient light.
+struct SetLightWays {
+  static constexpr std::string_view word = "light-ways";
+  Subsurface subsurface;
+  bool as_ambient;
+  static constexpr bool continues = false;  ///< is chosen, not dragged
+  static void fields(auto& f, auto& a) { f(a.subsurface), f(a.as_ambient, on_or_off); }
+  void apply(State& state) const;
+};
 struct SetSurroundings {
   Rgbd background, ambient;
   std::optional<Sky> sky;
@@ -250,11 +259,12 @@ struct Quit {
 }  // namespace action
 /// The scene, its file, what can be undone, and what the user is asked or told about it.
 struct DocumentRoom {
-  using Actions = Types<action::AddObject, action::RemoveSelected, action::InsertCorner, action::RemoveCorner,
-                        action::Rename, action::SetMaterial, action::SetShape, action::SetLight, action::SetCamera,
-                        action::SetLimits, action::SetNumerics, action::SetSurroundings, action::Undo, action::Redo,
-                        action::New, action::Open, action::Save, action::SaveAs, action::AskNew, action::AskOpen,
-                        action::AskSaveAs, action::CancelPrompt, action::AnswerQuestion, action::Quit>;
+  using Actions =
+      Types<action::AddObject, action::RemoveSelected, action::InsertCorner, action::RemoveCorner, action::Rename,
+            action::SetMaterial, action::SetShape, action::SetLight, action::SetCamera, action::SetLimits,
+            action::SetNumerics, action::SetLightWays, action::SetSurroundings, action::Undo, action::Redo, action::New,
+            action::Open, action::Save, action::SaveAs, action::AskNew, action::AskOpen, action::AskSaveAs,
+            action::CancelPrompt, action::AnswerQuestion, action::Quit>;
   static Commands commands();
 
   SceneDocument contents;

@@ -16,6 +16,10 @@ std::string_view text(Numerics numerics, Language language) {
   return family_text("numerics", name_of(numerics), language);
 }
 
+std::string_view text(Subsurface subsurface, Language language) {
+  return family_text("subsurface", name_of(subsurface), language);
+}
+
 std::string_view text(Effect effect, Language language) { return family_text("effect", name_of(effect), language); }
 
 }  // namespace raywalk

@@ -15,6 +15,7 @@ namespace raywalk {
 [[nodiscard]] std::string_view text(Integrator integrator, Language language);
 [[nodiscard]] std::string_view text(Sampler sampler, Language language);
 [[nodiscard]] std::string_view text(Numerics numerics, Language language);
+[[nodiscard]] std::string_view text(Subsurface subsurface, Language language);
 [[nodiscard]] std::string_view text(Effect effect, Language language);  ///< "depth of field"
 
 }  // namespace raywalk

@@ -274,6 +274,13 @@ class EquationWriter {
     row(Kind::numbers, "p(", Word{"equation.sky"}, ") = ", sky.pdf);
   }
 
+  void solve(const DipoleNumbers& dipole, double /*t*/) {
+    row(Kind::formula, "Rd(r) = α′ / 4π · Σ z (1 + σ d) exp(−σ d) / d³");
+    row(Kind::numbers, "r = ", dipole.distance);
+    light(Kind::term, dipole.reflectance, "Rd(r) =");
+    light(Kind::term, dipole.total, "Rd =");
+  }
+
   void write(const Decided& decided) {
     const bool transparent = event_->line == Line::if_transparent;
     if (event_->line != Line::if_reflective && !transparent)
@@ -307,6 +314,10 @@ class EquationWriter {
     }
   }
   void write(const ShadeComputed& sum) {
+    if (sum.irradiance) {
+      row(Kind::formula, Word{"equation.ambient"}, " = kd / π · E");
+      light(Kind::term, *sum.irradiance, "E =");
+    }
     terms(sum);
     if (sum.reflect != Rgbd(0.0)) light(Kind::term, sum.reflect, "+ kr′ · REFLSHADE");
     if (sum.refract != Rgbd(0.0)) light(Kind::term, sum.refract, "+ kt′ · REFRSHADE");
