@@ -261,7 +261,7 @@ Case random_case(int number) {
   return random;
 }
 
-struct Tally {
+struct CutTally {
   int cells = 0, parts = 0, mirrored = 0;
   double worst_ulp = 0;
 };
@@ -270,7 +270,7 @@ double ulp_of(double x) { return std::nextafter(x, INFINITY) - x; }
 
 /// Compares one beam with the truth, and those that its mirrors make of it.
 void compare(const Case& of, const UnfoldedPlan& plan, const std::vector<int>& mirrors, const Place& begin,
-             const Place& end, Tally& tally) {
+             const Place& end, CutTally& tally) {
   using test::BeamTruth;
   const auto real = [](const Place& at) { return BeamTruth::Real(BeamTruth::Real(at.high, 320) + at.low); };
   const auto parts = plan.cut(of.fan, begin, end);
@@ -294,8 +294,8 @@ void compare(const Case& of, const UnfoldedPlan& plan, const std::vector<int>& m
   }
 }
 
-Tally compare_cases(int count) {
-  Tally tally;
+CutTally compare_cases(int count) {
+  CutTally tally;
   for (int number = 0; number < count; ++number) {
     CAPTURE(number);
     const Case random = random_case(number);
@@ -308,14 +308,14 @@ Tally compare_cases(int count) {
 
 TEST_CASE("coverage is that of rationals and roots of 320 bits, to an ulp, by mirrors too") {
   const int count = test::rounds(2000);
-  const Tally tally = compare_cases(count);
+  const CutTally tally = compare_cases(count);
   CHECK(tally.worst_ulp <= 1);
   CHECK(tally.parts > count);
   CHECK(tally.mirrored > count / 2);
 }
 
 TEST_CASE("coverage is that of rationals and roots of 320 bits, full count", "[.][full]") {
-  const Tally tally = compare_cases(1000000);
+  const CutTally tally = compare_cases(1000000);
   WARN("cells " << tally.cells << ", parts " << tally.parts << ", mirrored " << tally.mirrored << ", worst "
                 << tally.worst_ulp << " ulp");
 }

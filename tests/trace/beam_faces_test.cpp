@@ -10,7 +10,8 @@
 #include "support/catch.h"
 #include "support/effort.h"
 
-using namespace raywalk;
+namespace raywalk::beam_faces_test {
+
 using raywalk::test::rounds;
 
 namespace {
@@ -302,3 +303,5 @@ TEST_CASE("of faces in one place that of the lower primitive is seen, whichever 
     CHECK(list[static_cast<std::size_t>(seen[0].face)].primitive == 4);
   }
 }
+
+}  // namespace raywalk::beam_faces_test

@@ -30,7 +30,7 @@ const Glass& glass_of(double alpha, double ior) {
   return *kept.back();
 }
 constexpr Side both_sides[] = {Side::rarer, Side::denser};
-const Vec3d upwards(0, 0, 1);
+const Vec3d front_normal(0, 0, 1);
 
 // A direction by the cosine to z, negative below, and a turn about it.
 Vec3d glass_direction(double cos, double turn) {
@@ -47,9 +47,9 @@ Sums glass_furnace(const Glass& glass, Side side, double cos, std::uint32_t n) {
   const Vec3d eye = glass_direction(cos, 0);
   for (const bool through : {false, true})
     for (std::uint32_t i = 0; i < n; ++i) {
-      const Vec3d light = glass.sample(side, through, upwards, eye, drawn(i));
+      const Vec3d light = glass.sample(side, through, front_normal, eye, drawn(i));
       if ((light.z < 0) != through) continue;
-      const auto at = glass.evaluate(side, upwards, eye, light);
+      const auto at = glass.evaluate(side, front_normal, eye, light);
       if (at.pdf > 0) (through ? sums.transmitted : sums.reflected) += (at.once + at.again) / at.pdf / n;
     }
   return sums;
@@ -58,7 +58,7 @@ Sums glass_furnace(const Glass& glass, Side side, double cos, std::uint32_t n) {
 Bsdf<double> glass_surface(const Glass& glass, Side side, double cos) {
   Bsdf<double> bsdf;
   bsdf.incident = -glass_direction(cos, 0);
-  bsdf.shading_normal = bsdf.geometric_normal = upwards;
+  bsdf.shading_normal = bsdf.geometric_normal = front_normal;
   bsdf.glass = &glass;
   bsdf.side = side;
   bsdf.both = Rgbd(1.0);
@@ -120,18 +120,18 @@ TEST_CASE("nearly smooth glass reflects and transmits as glass does, and totally
     for (const double cos : {1.0, 0.9, 0.6, 0.3}) {
       const double n1 = side == Side::rarer ? 1 : 1.5, n2 = side == Side::rarer ? 1.5 : 1;
       const Vec3d incident = -glass_direction(cos, 0);
-      const Refraction<double> at = refraction_at(incident, upwards, n1, n2);
+      const Refraction<double> at = refraction_at(incident, front_normal, n1, n2);
       CAPTURE(static_cast<int>(side), cos);
       const Sums sums = glass_furnace(glass, side, cos, 1 << 12);
       CHECK(sums.reflected == Approx(at.fresnel()).margin(2e-3));
       CHECK(sums.transmitted == Approx(1 - at.fresnel()).margin(2e-3));
       if (at.total()) continue;
       // Half of the facets are within alpha of the normal.
-      const Vec3d sent = *refract(incident, upwards, at);
+      const Vec3d sent = *refract(incident, front_normal, at);
       int near = 0;
       constexpr std::uint32_t n = 1000;
       for (std::uint32_t i = 0; i < n; ++i)
-        near += length(glass.sample(side, true, upwards, -incident, drawn(i)) - sent) < 0.01;
+        near += length(glass.sample(side, true, front_normal, -incident, drawn(i)) - sent) < 0.01;
       CHECK(near > 980);
     }
 }
@@ -145,15 +145,15 @@ TEST_CASE("through rough glass light goes the same both ways, but for the square
           for (const double turn : {0.0, 1.0, 3.0, 3.2}) {
             CAPTURE(alpha, ior, out, in, turn);
             const Vec3d above = glass_direction(out, 0), below = glass_direction(-in, turn);
-            const auto there = glass.evaluate(Side::rarer, upwards, above, below);
-            const auto back = glass.evaluate(Side::denser, -upwards, below, above);
+            const auto there = glass.evaluate(Side::rarer, front_normal, above, below);
+            const auto back = glass.evaluate(Side::denser, -front_normal, below, above);
             const double through = ior * ior;
             CHECK(there.once / in == Approx(back.once / out * through).epsilon(1e-8));
             CHECK(there.again / in == Approx(back.again / out * through).epsilon(1e-9));
             for (const Side side : both_sides) {
               const Vec3d beside = glass_direction(in, turn);
-              const auto one = glass.evaluate(side, upwards, above, beside);
-              const auto other = glass.evaluate(side, upwards, beside, above);
+              const auto one = glass.evaluate(side, front_normal, above, beside);
+              const auto other = glass.evaluate(side, front_normal, beside, above);
               CHECK(one.once / in == Approx(other.once / out).epsilon(1e-9));
               CHECK(one.again / in == Approx(other.again / out).epsilon(1e-9));
             }
@@ -171,7 +171,7 @@ TEST_CASE("rough glass is never dark below 0 or undefined at grazing angles, and
         for (const double in : {1.0, 0.7, 1e-4, 1e-20, 0.0, -1e-20, -1e-4, -0.3, -1.0})
           for (const double turn : {0.0, 1.0, 3.14159, 3.2}) {
             CAPTURE(alpha, out, in, turn);
-            const auto at = glass.evaluate(side, upwards, glass_direction(out, 0), glass_direction(in, turn));
+            const auto at = glass.evaluate(side, front_normal, glass_direction(out, 0), glass_direction(in, turn));
             const auto rounded = small.evaluate(its, {0, 0, 1}, Vec3<float>(glass_direction(out, 0)),
                                                 Vec3<float>(glass_direction(in, turn)));
             for (const double one : {at.once, at.again, at.pdf, at.pdf_of_both}) {
@@ -188,7 +188,7 @@ TEST_CASE("rough glass is never dark below 0 or undefined at grazing angles, and
       for (const double cos : {1.0, 0.5, 1e-6, 1e-30})
         for (const bool through : {false, true})
           for (const Vec2d& unit : {Vec2d(0, 0), Vec2d(0.5, 0.5), Vec2d(0.999999, 0.999999), Vec2d(0, 0.999999)}) {
-            CHECK(length(glass.sample(side, through, upwards, glass_direction(cos, 0), unit)) ==
+            CHECK(length(glass.sample(side, through, front_normal, glass_direction(cos, 0), unit)) ==
                   Approx(1).epsilon(1e-12));
             CHECK(length(small.sample(its, through, {0, 0, 1}, Vec3<float>(glass_direction(cos, 0)),
                                       Vec2<float>(static_cast<float>(unit.x), 0.5F))) == Approx(1).epsilon(1e-5));
@@ -208,9 +208,11 @@ TEST_CASE("directions from rough glass pass the chi-square test, reflected and t
           const Glass& glass = glass_of(alpha, 1.5);
           const Vec3d eye = glass_direction(cos, 0);
           const auto wanted = [&](const Vec3d& d) { return (d.z < 0) == through; };
-          const auto pdf = [&](const Vec3d& d) { return wanted(d) ? glass.evaluate(side, upwards, eye, d).pdf : 0.0; };
+          const auto pdf = [&](const Vec3d& d) {
+            return wanted(d) ? glass.evaluate(side, front_normal, eye, d).pdf : 0.0;
+          };
           const auto draw = [&](const Vec2d& unit) -> std::optional<Vec3d> {
-            const Vec3d d = glass.sample(side, through, upwards, eye, unit);
+            const Vec3d d = glass.sample(side, through, front_normal, eye, unit);
             return wanted(d) ? std::optional(d) : std::nullopt;
           };
           CHECK(chi_square_deviation(200000, pdf, draw) < 4);
@@ -253,7 +255,7 @@ TEST_CASE("the facet that turns a direction does so by Snell's law; equal indice
   const Vec3d incident = -glass_direction(0.8, 0);
   int bent = 0;
   for (std::uint32_t i = 0; i < 200; ++i) {
-    const Vec3d sent = glass.sample(Side::denser, true, upwards, -incident, drawn(i));
+    const Vec3d sent = glass.sample(Side::denser, true, front_normal, -incident, drawn(i));
     if (!(sent.z < 0)) continue;
     const auto at = glass.bends_by(Side::denser, incident, sent);
     if (!at) continue;

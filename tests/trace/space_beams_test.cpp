@@ -15,7 +15,8 @@
 #include "support/catch.h"
 #include "support/effort.h"
 
-using namespace raywalk;
+namespace raywalk::space_beams_test {
+
 using namespace raywalk::test;
 
 namespace {
@@ -409,3 +410,5 @@ TEST_CASE("what beams cannot follow is refused by name") {
   scene.objects[0].shape = Quadric<double, QuadricKind::elliptic_paraboloid>{};
   CHECK(why_no_space_beams(scene) == "Ball is endless");
 }
+
+}  // namespace raywalk::space_beams_test
