@@ -139,9 +139,10 @@ std::vector<Use> uses() {
 
 /// The tables whose texts are asked for by the name of an enumerator or of a command, and not each by its id; the tests
 /// of those families ask for every one. The page's JavaScript asks for those of `page`.
-const std::set<std::string> families{"accelerator", "choice",  "command",    "effect",   "ending", "explanation",
-                                     "fault",       "gallery", "integrator", "language", "line",   "name",
-                                     "numerics",    "page",    "procedure",  "property", "ray",    "sampler"};
+const std::set<std::string> families{"accelerator", "choice",   "command",    "effect",     "ending",
+                                     "explanation", "fault",    "gallery",    "integrator", "language",
+                                     "line",        "name",     "subsurface", "numerics",   "page",
+                                     "procedure",   "property", "ray",        "sampler"};
 
 std::string table_of(std::string_view id) { return std::string(id.substr(0, id.find('.'))); }
 
