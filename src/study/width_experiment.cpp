@@ -89,6 +89,7 @@ Subject subject_of(int which, int round) {
   return edge;
 }
 constexpr std::array subjects{"edge", "shared edge", "crumbs", "curved mirror"};
+constexpr std::size_t crumbs_subject = 2, curved_mirror = 3;
 
 constexpr std::array<std::pair<std::string_view, Integrator>, 3> methods{
     {{"samples", Integrator::distributed}, {"cones", Integrator::cones}, {"beams", Integrator::beams}}};
@@ -132,7 +133,7 @@ Report conclude_width(const std::vector<Trial>& trials) {
                          against_one("cones", trials, "crumbs", 0), 0, "Too many things share the cone."});
   report.laws.push_back({"beams, edge", "one beam errs less than 16 samples", LawKind::at_least, 1,
                          against_one("beams", trials, "edge", 2), 0, "Its edges are those of polygons."});
-  report.laws.push_back({"beams, crumbs", "one beam errs less than 16 samples", LawKind::at_least, 1,
+  report.laws.push_back({"beams, crumbs", "four beams err less than 16 samples", LawKind::at_least, 1,
                          against_one("beams", trials, "crumbs", 2), 0, "It is cut by everything."});
   report.laws.push_back({"beams, shared edge", "nothing is seen between two that share an edge", LawKind::at_most, 1e-9,
                          ErrorCurve(trials, "beams shared edge").estimate(0), 0, "Its parts are the pixel."});
@@ -159,6 +160,9 @@ Experiment width_experiment(Effort effort) {
         for (const auto& [method, integrator] : methods) {
           if (stop.asked()) return trials;
           if (traits_of(integrator).has_width && n > 16) continue;
+          // Where nothing changes within a part, more beams see the same; of many crumbs a few see theirs sooner.
+          if (integrator == Integrator::beams && which != curved_mirror && n != (which == crumbs_subject ? 4 : 1))
+            continue;
           Subject subject = subject_of(static_cast<int>(which), round);
           subject.scene.render.integrator = integrator;
           const Shot shot = shoot(subject.scene, {edge_of_picture, edge_of_picture}, {n, seed_of(round)});
