@@ -1,5 +1,7 @@
 #include "render/world_cache.h"
 
+#include "trace/bodies.h"
+
 #include <algorithm>
 
 namespace raywalk {
@@ -11,7 +13,7 @@ constexpr std::size_t max_kept = 2;
 
 Scene shell_of(const Scene& scene) {
   Scene shell;
-  // The camera without its pose: turning the view needs no other world.
+  // The camera without its pose: turning the view needs no other world, unless it takes the eye into a body.
   shell.camera = scene.camera;
   const Camera anywhere;
   shell.camera.eye = anywhere.eye;
@@ -34,9 +36,12 @@ std::shared_ptr<const World<T>> WorldCache::of(const Scene& scene, AcceleratorKi
                                                const Stop& stop) {
   using Pointer = std::shared_ptr<const World<T>>;
   Scene shell = shell_of(scene);
+  const auto holds_eye_alike = [&](const World<T>& world) {
+    return bodies_that_nest(world, scene.camera).around_eye == world.bodies.around_eye;
+  };
   const auto same = std::find_if(cached_.begin(), cached_.end(), [&](const CachedWorld& made) {
     return made.kind == kind && made.fault == fault && std::holds_alternative<Pointer>(made.world) &&
-           made.shell == shell;
+           made.shell == shell && holds_eye_alike(*std::get<Pointer>(made.world));
   });
   if (same != cached_.end()) {
     std::rotate(cached_.begin(), same, same + 1);

@@ -117,7 +117,9 @@ bool BeamTracer<Watcher>::has_extent(const Light& light) const {
 template <class Watcher>
 std::optional<PixelFan> BeamTracer<Watcher>::fan_to(const Light& light, const Vec3d& from) const {
   if (!has_extent(light)) return std::nullopt;
-  const Vec2d to = plan(light.place - from), aside = Vec2d(-to.y, to.x) / length(to);
+  const Vec2d to = plan(light.place - from);
+  if (!(length(to) > 0)) return std::nullopt;
+  const Vec2d aside = Vec2d(-to.y, to.x) / length(to);
   Vec2d half{0.0};
   if (const auto* sphere = std::get_if<SphereLight::Prepared<double>>(&light.kind)) half = sphere->radius * aside;
   if (const auto* rectangle = std::get_if<RectangleLight::Prepared<double>>(&light.kind)) {

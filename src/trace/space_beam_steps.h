@@ -164,10 +164,10 @@ auto SpaceBeamTracer<T, Watcher>::divided_by_shadows(const Beam& beam, const Par
 /// The places of a checker's lines are linear in what a flat face is seen at.
 template <class T, class Watcher>
 void SpaceBeamTracer<T, Watcher>::divide_by_squares(std::vector<Part>& parts, const Beam& beam, Part&& whole) const {
-  const auto& surface = world_.surface(whole.face < 0 ? 0 : faces_[whole.face].primitive);
-  if (whole.face < 0 || !faces_[whole.face].is_flat || !surface.checker || surface.texture || world_.maps(surface))
-    return parts.push_back(std::move(whole));
+  if (whole.face < 0 || !faces_[whole.face].is_flat) return parts.push_back(std::move(whole));
   const BeamFace& face = faces_[whole.face];
+  const auto& surface = world_.surface(face.primitive);
+  if (!surface.checker || surface.texture || world_.maps(surface)) return parts.push_back(std::move(whole));
   const double size = static_cast<double>(surface.checker->size);
   const auto on_face = [&](const Vec2d& place) {
     return beam.view.eye + beam.view.direction(place) / whole.nearness.at(place);
@@ -228,7 +228,9 @@ void SpaceBeamTracer<T, Watcher>::meet(Part& part, const Beam& beam) {
               camera_.shutter_open()};
   if (part.face < 0) return;
   const BeamFace& face = faces_[part.face];
-  const Hit<T> hit{static_cast<T>((1 / part.nearness.at(middle) - start) * size), face.primitive, face.part};
+  // Towards the horizon it may be as far as a number says.
+  const double reached = 1 / std::max(part.nearness.at(middle), 1e-12);
+  const Hit<T> hit{static_cast<T>((reached - start) * size), face.primitive, face.part};
   const detail::MiddleOfPart<T> ray{part.ray, part.number, beam.medium};
   detail::PatternOfPart<T> pattern{world_, part.has_mean};
   part.at = prepare_vertex<AllEffects>(world_, nested_, ray, hit, statistics_, pattern);
@@ -256,9 +258,10 @@ BeamArea SpaceBeamTracer<T, Watcher>::drawn_area(const Beam& beam, const SeenFac
   BeamArea area;
   for (const Vec2d& place : {*left, *right}) {
     const Vec3d direction = beam.view.direction(place);
-    const double start = beam.mirror == nullptr ? 0 : 1 / beam.view.nearness(beam.mirror->plane).at(place);
-    const double farthest = start + far_ / length(direction);
-    const double end = part.face < 0 ? farthest : std::min(1 / part.nearness.at(place), farthest);
+    const double reach = far_ / length(direction);
+    const auto reached = [&](double nearness) { return nearness > 0 ? std::min(1 / nearness, reach) : reach; };
+    const double start = beam.mirror == nullptr ? 0 : reached(beam.view.nearness(beam.mirror->plane).at(place));
+    const double end = part.face < 0 ? start + reach : reached(part.nearness.at(place));
     area.starts.push_back(beam.view.eye + start * direction);
     area.ends.push_back(beam.view.eye + end * direction);
   }

@@ -400,6 +400,12 @@ TEST_CASE("watching beams in space changes no bit, and tells of parts that are t
   CHECK(areas.size() > 36);
 }
 
+TEST_CASE("beams through an empty scene see the background") {
+  Scene scene = empty_scene();
+  scene.background = {0.1, 0.2, 0.3};
+  CHECK(picture_of<double>(scene, 2, 2).at(1, 1) == scene.background);
+}
+
 TEST_CASE("what beams cannot follow is refused by name") {
   Scene scene = empty_scene();
   scene.objects = {{"Ball", Sphere<double>{{0, 0, 0}, 1}, matt(1)}};
