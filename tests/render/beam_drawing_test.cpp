@@ -26,7 +26,7 @@ Scene two_boxes() {
   red.diffuse = Rgbd(0.0);
   grey.ambient = Rgbd(0.1);
   grey.diffuse = Rgbd(0.8);
-  scene.lights = {{"Lamp", Rgbd(0.9), PointLight{{-2, -3, 4}}}};
+  scene.lights = {{"Lamp", Rgbd(0.9), PointLight{{-2, -3, 4}, {}}}};
   scene.objects = {{"Red Box", Box<double>{{-1, -1, -1}, {0, 0, 0.4}}, red},
                    {"Grey Box", Box<double>{{0.2, 0, -1}, {1.2, 1, 0}}, grey},
                    {"Floor", Plane<double>{{0, 0, -1}, {0, 0, 1}}, grey}};

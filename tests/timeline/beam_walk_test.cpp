@@ -231,7 +231,7 @@ std::vector<std::pair<double, double>> uncovered_along(const Timeline& timeline)
 
 TEST_CASE("a light's width behind an edge and behind a circle is seen as closed forms say") {
   // The light from (-3, -6) to (-1, -6); what is between stands at y = -3, halfway from the wall.
-  const RectangleLight tube{{-3, -6, -1}, {2, 0, 0}, {0, 0, 2}, 4};
+  const RectangleLight tube{{-3, -6, -1}, {2, 0, 0}, {0, 0, 2}, 4, {}};
   int partly = 0;
   SECTION("an edge") {
     // Everything left of x = -1.2 is hidden: of the light, what is left of 2 (-1.2) - x.
@@ -262,7 +262,7 @@ TEST_CASE("a light's width behind an edge and behind a circle is seen as closed 
 }
 
 TEST_CASE("of a light with an extent the walk says how much is uncovered, and draws its width") {
-  const RectangleLight tube{{-3, -6, -1}, {2, 0, 0}, {0, 0, 2}, 4};
+  const RectangleLight tube{{-3, -6, -1}, {2, 0, 0}, {0, 0, 2}, 4, {}};
   const Scene scene = penumbra(Box<double>{{-30, -3, -1}, {-1.2, -2.9, 1}}, tube);
   const Timeline timeline = record_strip(scene);
   std::set<std::string_view> said;

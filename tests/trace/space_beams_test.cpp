@@ -207,7 +207,7 @@ TEST_CASE("a point light's shadow on a floor is as large as that of its triangle
   Scene scene = empty_scene();
   scene.camera.eye = {0, 0, 6};
   scene.camera.up = {0, 1, 0};
-  scene.lights = {{"Lamp", Rgbd(1.0), PointLight{{0, 0, 2}}}};
+  scene.lights = {{"Lamp", Rgbd(1.0), PointLight{{0, 0, 2}, {}}}};
   scene.objects = {{"Floor", Plane<double>{{0, 0, 0}, {0, 0, 1}}, matt(1)},
                    {"Blocker", Triangle<double>{{-0.5, -0.5, 1}, {0.6, -0.4, 1}, {0.1, 0.5, 1}}, glowing(Rgbd(0.0))}};
   const World<double> world(scene);
@@ -263,20 +263,21 @@ TEST_CASE("a triangle covers of each pixel what clipping its corners says") {
 TEST_CASE("hard views: an eye in a face's plane, on an edge, a mirror seen end on, faces in one place, the horizon") {
   Scene scene = empty_scene();
   SECTION("an eye in a plane and on an edge") {
-    scene.objects = {{"Level", Polygon<double>{{{-1, -6, 0}, {1, -6, 0}, {1, 2, 0}, {-1, 2, 0}}}, glowing({1, 0, 0})},
-                     {"From the eye", Triangle<double>{{0, -5, 0}, {1, 0, 1}, {-1, 0, 1}}, glowing({0, 1, 0})},
-                     {"Behind", Box<double>{{-2, 1, -2}, {2, 2, 2}}, glowing({0, 0, 1})}};
+    scene.objects = {
+        {"Level", Polygon<double>{{{-1, -6, 0}, {1, -6, 0}, {1, 2, 0}, {-1, 2, 0}}, {}}, glowing({1, 0, 0})},
+        {"From the eye", Triangle<double>{{0, -5, 0}, {1, 0, 1}, {-1, 0, 1}}, glowing({0, 1, 0})},
+        {"Behind", Box<double>{{-2, 1, -2}, {2, 2, 2}}, glowing({0, 0, 1})}};
   }
   SECTION("a mirror seen end on") {
     scene.objects = {
-        {"Mirror", Polygon<double>{{{0, -1, -1}, {0, 1, -1}, {0, 1, 1}, {0, -1, 1}}}, glowing({1, 0, 0}, 1)},
+        {"Mirror", Polygon<double>{{{0, -1, -1}, {0, 1, -1}, {0, 1, 1}, {0, -1, 1}}, {}}, glowing({1, 0, 0}, 1)},
         {"Behind", Box<double>{{-2, 2, -2}, {2, 3, 2}}, glowing({0, 0, 1}, 0.5)}};
   }
   SECTION("faces in one place") {
     const Box<double> box{{-0.7, 0, -0.7}, {0.7, 1, 0.7}};
     scene.objects = {{"First", box, glowing({1, 0, 0}, 0.3)},
                      {"Second", box, glowing({0, 1, 0})},
-                     {"On it", Polygon<double>{{{-0.3, 0, -0.3}, {0.3, 0, -0.3}, {0.3, 0, 0.3}, {-0.3, 0, 0.3}}},
+                     {"On it", Polygon<double>{{{-0.3, 0, -0.3}, {0.3, 0, -0.3}, {0.3, 0, 0.3}, {-0.3, 0, 0.3}}, {}},
                       glowing({0, 0, 1})}};
   }
   SECTION("the horizon, and a box that stands on the floor") {
@@ -287,9 +288,9 @@ TEST_CASE("hard views: an eye in a face's plane, on an edge, a mirror seen end o
   SECTION("edges through the corners of pixels") {
     // Pixels are a quarter of the half at distance 5.
     scene.objects = {
-        {"Square", Polygon<double>{{{-1.25, 0, -1.25}, {1.25, 0, -1.25}, {1.25, 0, 1.25}, {-1.25, 0, 1.25}}},
+        {"Square", Polygon<double>{{{-1.25, 0, -1.25}, {1.25, 0, -1.25}, {1.25, 0, 1.25}, {-1.25, 0, 1.25}}, {}},
          glowing({1, 0, 0})},
-        {"Beside", Polygon<double>{{{1.25, 0, -1.25}, {2.5, 0, -1.25}, {2.5, 0, 1.25}, {1.25, 0, 1.25}}},
+        {"Beside", Polygon<double>{{{1.25, 0, -1.25}, {2.5, 0, -1.25}, {2.5, 0, 1.25}, {1.25, 0, 1.25}}, {}},
          glowing({0, 1, 0})}};
   }
   compare_with_rays(scene, 8, 8, 9);
@@ -305,9 +306,9 @@ TEST_CASE("a rectangle of light behind an edge is seen as the closed form says")
   scene.camera.screen = {1, 1e-6, 1};
   for (const double edge : {-0.4, 0.0, 0.1, 0.35}) {
     CAPTURE(edge);
-    scene.lights = {{"Sky", Rgbd(1.0), RectangleLight{{-1, -1, 2}, {2, 0, 0}, {0, 2, 0}, 8}}};
+    scene.lights = {{"Sky", Rgbd(1.0), RectangleLight{{-1, -1, 2}, {2, 0, 0}, {0, 2, 0}, 8, {}}}};
     scene.objects = {{"Floor", Plane<double>{{0, 0, 0}, {0, 0, 1}}, matt(1)},
-                     {"Wall", Polygon<double>{{{edge, -9, 1}, {9, -9, 1}, {9, 9, 1}, {edge, 9, 1}}}, matt(0)}};
+                     {"Wall", Polygon<double>{{{edge, -9, 1}, {9, -9, 1}, {9, 9, 1}, {edge, 9, 1}}, {}}, matt(0)}};
     const auto seen = picture_of<double>(scene, 1, 1);
     // The mean of cos over the open part of the light, times its share of the light: by a fine sum.
     double expected = 0;
@@ -334,7 +335,7 @@ TEST_CASE("a ball is its polygons to an eighth of a percent of its radius, and s
 TEST_CASE("which pixels are traced together, and in which precision, changes no edge") {
   Numbers next(12);
   Scene scene = empty_scene();
-  scene.lights = {{"Lamp", Rgbd(1.0), PointLight{{1, -3, 3}}}};
+  scene.lights = {{"Lamp", Rgbd(1.0), PointLight{{1, -3, 3}, {}}}};
   for (int i = 0; i < 12; ++i)
     scene.objects.push_back({"T" + std::to_string(i), random_triangle(next, 0.9), matt(0.7)});
   const auto whole = picture_of<double>(scene, 12, 12);
@@ -374,8 +375,8 @@ TEST_CASE("four beams of a pixel see together what one does where shades do not 
 TEST_CASE("watching beams in space changes no bit, and tells of parts that are the pixel") {
   Numbers next(14);
   Scene scene = empty_scene();
-  scene.lights = {{"Lamp", Rgbd(1.0), PointLight{{1, -3, 3}}},
-                  {"Panel", Rgbd(0.5), RectangleLight{{-1, -1, 3}, {1, 0, 0}, {0, 1, 0}, 2}}};
+  scene.lights = {{"Lamp", Rgbd(1.0), PointLight{{1, -3, 3}, {}}},
+                  {"Panel", Rgbd(0.5), RectangleLight{{-1, -1, 3}, {1, 0, 0}, {0, 1, 0}, 2, {}}}};
   for (int i = 0; i < 12; ++i)
     scene.objects.push_back({"T" + std::to_string(i), random_triangle(next, 0.9), matt(0.7)});
   scene.objects[0].material.reflection = scene.objects[1].material.reflection = Rgbd(0.6);
