@@ -248,13 +248,11 @@ void epsilon_row(const Ui& ui, Form& form) {
 void light_ways(const Ui& ui, Form& form) {
   const SceneSeen seen = walked_scene(ui.state);
   const Scene& scene = *seen;
-  const IntegratorTraits& traits = traits_of(integrator_of(scene));
   action::SetLightWays next{scene.render.subsurface, scene.render.radiosity.as_ambient};
   bool now = false;
   if (effects_of(scene).used(Effect::scattering))
     now |= pick_among(ui, form, "property.subsurface", values_of<Subsurface>, next.subsurface);
-  if (traits.is_recursive && !traits.is_global && !traits.has_width)
-    now |= form.flag("property.as_ambient", next.as_ambient);
+  if (may_take_ambient_from_patches(integrator_of(scene))) now |= form.flag("property.as_ambient", next.as_ambient);
   if (now) ui.act(next);
 }
 

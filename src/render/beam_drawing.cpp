@@ -20,6 +20,7 @@ namespace raywalk {
 namespace {
 
 using Colour = std::array<std::uint8_t, 3>;
+using Piece = ShadedPiece<double>;
 
 constexpr double widest_beam = 32;  // pixels along the side of a beam
 constexpr std::size_t most_polygons = 2'000'000;
@@ -29,7 +30,7 @@ Colour colour_of(const Rgbd& shade, Encoding encoding) {
   return {byte(shade.x), byte(shade.y), byte(shade.z)};
 }
 
-bool holds(const std::vector<Vec2d>& corners, const Vec2d& place) {
+bool holds(const WindowPiece& corners, const Vec2d& place) {
   bool left = false, right = false;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Vec2d& from = corners[i];
@@ -38,12 +39,6 @@ bool holds(const std::vector<Vec2d>& corners, const Vec2d& place) {
     right = right || side < 0;
   }
   return !(left && right);
-}
-
-Vec2d mean_of(const std::vector<Vec2d>& corners) {
-  Vec2d sum(0.0);
-  for (const Vec2d& corner : corners) sum += corner;
-  return sum / static_cast<double>(corners.size());
 }
 
 class Drawer {
@@ -81,11 +76,11 @@ class Drawer {
   }
 
  private:
-  [[nodiscard]] std::vector<BeamPolygon> parts(const Vec2d& from, const Vec2d& to) const {
+  [[nodiscard]] std::vector<Piece> parts(const Vec2d& from, const Vec2d& to) const {
     return parts_of_picture(world_, faces_, camera_, from, to, settings_.stop);
   }
 
-  void draw(const Vec2d& from, const Vec2d& to, const std::vector<BeamPolygon>& whole) {
+  void draw(const Vec2d& from, const Vec2d& to, const std::vector<Piece>& whole) {
     if (polygons_ > most_polygons) return;
     const Vec2d middle = (from + to) / 2.0;
     if (std::max(to.x - from.x, to.y - from.y) > settings_.finest * (1 + 1e-9)) {
@@ -93,7 +88,7 @@ class Drawer {
                                                              {{middle.x, from.y}, {to.x, middle.y}},
                                                              {{from.x, middle.y}, {middle.x, to.y}},
                                                              {middle, to}}};
-      std::array<std::vector<BeamPolygon>, 4> finer;
+      std::array<std::vector<Piece>, 4> finer;
       bool changes = false;
       for (std::size_t i = 0; i < 4; ++i) {
         finer[i] = parts(quarters[i].first, quarters[i].second);
@@ -104,15 +99,15 @@ class Drawer {
         return;
       }
     }
-    for (const BeamPolygon& part : whole) add(part);
+    for (const Piece& part : whole) add(part);
   }
 
   /// Whether what is seen from nearer has another colour than that of which it is a part.
-  [[nodiscard]] bool differ(const std::vector<BeamPolygon>& whole, const std::vector<BeamPolygon>& finer) const {
-    return std::any_of(finer.begin(), finer.end(), [&](const BeamPolygon& part) {
-      const Vec2d middle = mean_of(part.corners);
-      const auto of = std::find_if(whole.begin(), whole.end(), [&](const BeamPolygon& each) {
-        return each.object == part.object && holds(each.corners, middle);
+  [[nodiscard]] bool differ(const std::vector<Piece>& whole, const std::vector<Piece>& finer) const {
+    return std::any_of(finer.begin(), finer.end(), [&](const Piece& part) {
+      const Vec2d middle = middle_of(part.window);
+      const auto of = std::find_if(whole.begin(), whole.end(), [&](const Piece& each) {
+        return each.object == part.object && holds(each.window, middle);
       });
       if (of == whole.end()) return false;
       const Colour a = colour_of(of->shade, scene_.encoding), b = colour_of(part.shade, scene_.encoding);
@@ -122,11 +117,11 @@ class Drawer {
     });
   }
 
-  void add(const BeamPolygon& part) {
+  void add(const Piece& part) {
     ++polygons_;
     std::string& outline = objects_[part.object][colour_of(part.shade, scene_.encoding)];
     char command = 'M';
-    for (const Vec2d& corner : part.corners) {
+    for (const Vec2d& corner : part.window) {
       outline += fmt::format("{}{} {}", command, number(corner.x), number(corner.y));
       command = 'L';
     }

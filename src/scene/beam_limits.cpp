@@ -10,8 +10,8 @@ namespace {
 
 /// Of as many faces no scene is made that beams are followed through (trace/beam_faces.h).
 constexpr double most_faces = 200000;
-/// What stands for something round, and for a disc.
-constexpr double faces_of_round = 2048, faces_of_disc = 64;
+/// What stands for something round.
+constexpr double faces_of_round = 2048;
 
 bool is_endless(const Object& object) {
   if (std::holds_alternative<Plane<double>>(object.shape)) return false;  // it is one face
@@ -35,8 +35,7 @@ double faces_of(const Object& object) {
   const bool flat =
       std::holds_alternative<Plane<double>>(object.shape) || std::holds_alternative<Polygon<double>>(object.shape) ||
       std::holds_alternative<Triangle<double>>(object.shape) || std::holds_alternative<Box<double>>(object.shape) ||
-      std::holds_alternative<Prism<double>>(object.shape);
-  if (std::holds_alternative<Disk<double>>(object.shape)) return faces_of_disc;
+      std::holds_alternative<Prism<double>>(object.shape) || std::holds_alternative<Disk<double>>(object.shape);
   return flat ? 6 : faces_of_round;
 }
 

@@ -142,8 +142,9 @@ EffectUse scattering(const Scene& scene, Integrator integrator) {
 EffectUse filtering(const Scene& scene, Integrator integrator) {
   EffectUse use = use_if(scene, &Material::filters_checker, "has its checker filtered", "");
   if (!use.used) use = use_if(scene, &Material::filters_texture, "has its image filtered", "no pattern is filtered");
-  return use.used && integrator == Integrator::beams ? left_out(integrator, "takes patterns in the middle of each part")
-                                                     : use;
+  return use.used && integrator == Integrator::beams
+             ? left_out(integrator, "cuts checkers into their squares, and takes images in the middle of each part")
+             : use;
 }
 
 /// Without random numbers rough glass still has its highlights, unless what is followed has a width.
@@ -210,8 +211,7 @@ Integrator integrator_of(const Scene& scene, int samples_per_pixel) {
 
 bool takes_ambient_from_patches(const Scene& scene) {
   if (!scene.render.radiosity.as_ambient) return false;
-  const IntegratorTraits& traits = traits_of(integrator_of(scene));
-  return traits.is_recursive && !traits.is_global && !traits.has_width;
+  return may_take_ambient_from_patches(integrator_of(scene));
 }
 
 int light_grid_of(const Scene& scene, const Light& light) {

@@ -81,7 +81,11 @@ class Effects {
   return draws_random(integrator) || traits_of(integrator).has_lobes;
 }
 
-/// Whether light that surfaces send each other, by patches, is in the place of ambient light.
+/// Whether light that surfaces send each other, by patches, may be in the place of ambient light, and whether it is.
+[[nodiscard]] constexpr bool may_take_ambient_from_patches(Integrator integrator) {
+  const IntegratorTraits& traits = traits_of(integrator);
+  return traits.is_recursive && !traits.is_global && !traits.has_width;
+}
 [[nodiscard]] bool takes_ambient_from_patches(const Scene& scene);
 /// Whether surfaces are cut into patches, for that or for radiosity.
 [[nodiscard]] inline bool cuts_patches(const Scene& scene) {

@@ -14,7 +14,7 @@ BeamPlane plane_through(const Vec3d& point, const Vec3d& normal) { return {norma
 
 Bounds<double> box_of(const BeamFace& face) {
   Bounds<double> box;
-  for (const Vec3d& corner : face.outline()) box.include(corner);
+  for (const Vec3d& corner : face.outline) box.include(corner);
   return box;
 }
 
@@ -50,7 +50,7 @@ double farthest_of(const std::vector<SeenFace>& seen, const BeamView& view, cons
 BeamFaces::BeamFaces(std::vector<BeamFace> faces, const Stop& stop) : faces_(std::move(faces)) {
   std::vector<TreeItem> items;
   for (int i = 0; i < size(); ++i) {
-    if ((*this)[i].corners == 0)
+    if ((*this)[i].outline.empty())
       endless_.push_back(i);
     else
       items.push_back({rounded_out(box_of((*this)[i])), i, 0});
@@ -61,7 +61,7 @@ BeamFaces::BeamFaces(std::vector<BeamFace> faces, const Stop& stop) : faces_(std
 double BeamFaces::far_from(const Vec3d& eye) const {
   double far = 1;
   for (const BeamFace& face : faces_)
-    for (const Vec3d& corner : face.outline()) far = std::max(far, length(corner - eye));
+    for (const Vec3d& corner : face.outline) far = std::max(far, length(corner - eye));
   return 8 * far;
 }
 
@@ -122,12 +122,12 @@ std::vector<SeenFace> faces_seen(const BeamFaces& faces, const BeamView& view, c
 namespace detail {
 
 void add_edges(std::vector<WindowLine>& lines, const BeamView& view, const BeamFace& face) {
-  if (face.corners == 0) return lines.push_back(view.nearness(face.plane));
+  if (face.outline.empty()) return lines.push_back(view.nearness(face.plane));
   const double side = face.plane.above(view.eye) < 0 ? 1 : -1;
-  for (int i = 0; i < face.corners; ++i) {
-    const Vec3d from = face.corner[static_cast<std::size_t>(i)] - view.eye, to = face.next(i) - view.eye;
+  for_each_side(face, [&](const Vec3d& begin, const Vec3d& end) {
+    const Vec3d from = begin - view.eye, to = end - view.eye;
     lines.push_back(view.line(side * cross(from, to), length(from) * length(to)));
-  }
+  });
 }
 
 void add_shadow(std::vector<WindowLine>& lines, const BeamView& view, const BeamPlane& on, const BeamLight& light,
@@ -136,11 +136,10 @@ void add_shadow(std::vector<WindowLine>& lines, const BeamView& view, const Beam
   if (light.is_distant ? std::abs(towards) <= 1e-14 : is_edge_on(light.place, face.plane)) return;
   const double side = towards < 0 ? 1 : -1;
   lines.push_back(view.above({side * face.plane.normal, side * face.plane.offset}, on));
-  for (int i = 0; i < face.corners; ++i) {
-    const Vec3d &from = face.corner[static_cast<std::size_t>(i)], &to = face.next(i);
+  for_each_side(face, [&](const Vec3d& from, const Vec3d& to) {
     const Vec3d normal = light.is_distant ? cross(to - from, light.place) : cross(from - light.place, to - light.place);
     lines.push_back(view.above(plane_through(from, side * normal), on));
-  }
+  });
 }
 
 BeamRegion region_to(const BeamLight& light, const BeamView& view, const SeenFace& seen, const BeamPlane& on) {

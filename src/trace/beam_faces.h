@@ -8,23 +8,16 @@
 
 #include <array>
 #include <optional>
-#include <span>
 #include <utility>
 #include <vector>
 
 namespace raywalk {
 
 struct BeamFace {
-  std::array<Vec3d, 4> corner{};  ///< counter-clockwise about the normal
-  int corners = 0;                ///< 0: it has no end
-  BeamPlane plane;                ///< its normal has unit length
+  std::vector<Vec3d> outline;  ///< counter-clockwise about the normal; empty where it has no end
+  BeamPlane plane;             ///< its normal has unit length
   int primitive = 0, part = 0, object = 0;
   bool is_flat = true;  ///< it is the surface itself, and not a piece that stands for a round one
-
-  [[nodiscard]] std::span<const Vec3d> outline() const { return {corner.data(), static_cast<std::size_t>(corners)}; }
-  [[nodiscard]] const Vec3d& next(int i) const {
-    return corner[static_cast<std::size_t>(i + 1 == corners ? 0 : i + 1)];
-  }
 };
 
 /// Where faces may be met: above all of some planes.
@@ -35,7 +28,6 @@ struct BeamRegion {
 
 class BeamFaces {
  public:
-  BeamFaces() = default;
   /// `stop` may cancel it, which then throws Stopped.
   explicit BeamFaces(std::vector<BeamFace> faces, const Stop& stop = {});
 
@@ -131,6 +123,13 @@ template <class Role>
                                                const BeamFace& from, const Role& role);
 
 namespace detail {
+
+/// Calls use(from, to) with the ends of each side.
+template <class Use>
+void for_each_side(const BeamFace& face, const Use& use) {
+  for (std::size_t i = 0; i < face.outline.size(); ++i)
+    use(face.outline[i], face.outline[i + 1 == face.outline.size() ? 0 : i + 1]);
+}
 
 /// Keeps of `pieces` what is inside of all lines, as one that `use` changes; the rest as it was.
 template <class Piece, class Use>

@@ -18,7 +18,7 @@ void BeamTracer<Watcher>::divide_by_shadows(std::vector<BeamPart>& pieces, const
   std::vector<Place> edges;
   if (shows_shadows(whole.outline))
     for (const Light& light : world_.lights) {
-      if (has_extent(light)) continue;  // a penumbra has no edge
+      if (detail::has_extent(world_, light)) continue;  // a penumbra has no edge
       for (const Place& edge : beam.plan->shadow_edges(beam.fan, whole, {plan(light.place), light.is_distant}))
         edges.push_back(edge);
     }
@@ -50,7 +50,7 @@ bool BeamTracer<Watcher>::shows_shadows(int outline) const {
          !(is_black(surface.diffuse) && is_black(surface.specular));
 }
 
-/// What of each light arrives in the middle of a piece.
+/// What of each light without an extent arrives in the middle of a piece.
 template <class Watcher>
 std::vector<Rgbd> BeamTracer<Watcher>::light_at(const Beam& beam, const BeamPart& piece) {
   Part part;
@@ -60,6 +60,7 @@ std::vector<Rgbd> BeamTracer<Watcher>::light_at(const Beam& beam, const BeamPart
   std::vector<Rgbd> arriving;
   TestCounts uncounted;
   for (const Light& light : world_.lights) {
+    if (detail::has_extent(world_, light)) continue;
     const Vec3d to_light = light.direction_to(light.place, at.position);
     const auto ray =
         spawn_ray<Ray<double>>(world_, at.position, at.bsdf.geometric_normal, at.departure, to_light, at.time);
@@ -72,16 +73,10 @@ std::vector<Rgbd> BeamTracer<Watcher>::light_at(const Beam& beam, const BeamPart
 }
 
 template <class Watcher>
-auto BeamTracer<Watcher>::lights_of(const Part& part) const -> const std::vector<Light>& {
-  static const std::vector<Light> none;
-  return part.at && world_.effects.used(Effect::shadows) ? world_.lights : none;
-}
-
-template <class Watcher>
 auto BeamTracer<Watcher>::form_shadow_ray(int depth, const Part& part, const Beam& beam, const Light& light)
     -> std::optional<Shadow> {
   const SurfaceVertex<double>& at = *part.at;
-  const Vec3d to_light = light.direction_to(light.place, at.position);
+  const auto [to_light, fan, share] = seen_of(light, at);
   const bool faces = dot(at.bsdf.shading_normal, to_light) > 0 || at.surface->lit_from_behind;
   const Rgbd throughput = beam.throughput * part.width() / (beam.end - beam.begin);
   if (!faces || !light.shines_along(to_light)) {
@@ -94,7 +89,7 @@ auto BeamTracer<Watcher>::form_shadow_ray(int depth, const Part& part, const Bea
   }
   const Shadow shadow{
       spawn_ray<Ray<double>>(world_, at.position, at.bsdf.geometric_normal, at.departure, to_light, at.time),
-      rays_formed_++, at.medium, fan_to(light, at.position)};
+      rays_formed_++, at.medium, fan, share};
   ++statistics_.formed(RayKind::shadow);
   note(Line::beam_form_shadow_ray, depth, [&] {
     RayFormed formed{shadow.number, part.number, RayKind::shadow, shadow.ray.origin,
@@ -107,25 +102,37 @@ auto BeamTracer<Watcher>::form_shadow_ray(int depth, const Part& part, const Bea
   return shadow;
 }
 
+/// Where a surface's plane crosses a light with an extent, the light ends there.
 template <class Watcher>
-bool BeamTracer<Watcher>::has_extent(const Light& light) const {
-  return !light.is_delta && !light.is_distant && world_.effects.used(Effect::penumbra);
+auto BeamTracer<Watcher>::seen_of(const Light& light, const SurfaceVertex<double>& at) const -> LightSeen {
+  LightSeen seen{light.direction_to(light.place, at.position), fan_to(light, at.position)};
+  if (!seen.fan || at.surface->lit_from_behind) return seen;
+  const Vec2d normal = plan(at.bsdf.shading_normal);
+  const double first = dot(normal, seen.fan->begin), last = dot(normal, seen.fan->end);
+  if ((first > 0) == (last > 0)) return seen;
+  const double horizon = first / (first - last);
+  const Vec2d edge = seen.fan->begin + horizon * (seen.fan->end - seen.fan->begin);
+  (first > 0 ? seen.fan->end : seen.fan->begin) = edge;
+  seen.share = first > 0 ? horizon : 1 - horizon;
+  seen.to_light = detail::in_plan((seen.fan->begin + seen.fan->end) / 2.0);
+  return seen;
 }
 
 /// From a place to both ends of a light with an extent: of a rectangle that stands upright its edge, of others as wide
 /// as they are seen. The rays between them meet the light at t = 1.
 template <class Watcher>
 std::optional<PixelFan> BeamTracer<Watcher>::fan_to(const Light& light, const Vec3d& from) const {
-  if (!has_extent(light)) return std::nullopt;
+  if (!detail::has_extent(world_, light)) return std::nullopt;
   const Vec2d to = plan(light.place - from);
   if (!(length(to) > 0)) return std::nullopt;
   const Vec2d aside = Vec2d(-to.y, to.x) / length(to);
-  Vec2d half{0.0};
-  if (const auto* sphere = std::get_if<SphereLight::Prepared<double>>(&light.kind)) half = sphere->radius * aside;
-  if (const auto* rectangle = std::get_if<RectangleLight::Prepared<double>>(&light.kind)) {
-    const Vec2d u = plan(rectangle->u) / 2.0, v = plan(rectangle->v) / 2.0, none{0.0};
-    half = v == none ? u : u == none ? v : (std::abs(dot(u, aside)) + std::abs(dot(v, aside))) * aside;
-  }
+  const Vec2d none{0.0};
+  Vec2d half = detail::radius_of_light<double>(light, detail::in_plan(to / length(to)), true) * aside;
+  const auto* rectangle = std::get_if<RectangleLight::Prepared<double>>(&light.kind);
+  if (rectangle != nullptr && plan(rectangle->v) == none)
+    half = plan(rectangle->u) / 2.0;
+  else if (rectangle != nullptr && plan(rectangle->u) == none)
+    half = plan(rectangle->v) / 2.0;
   if (!(length(half) > 0)) return std::nullopt;
   return PixelFan{to - half, to + half};
 }
@@ -149,16 +156,16 @@ Found BeamTracer<Watcher>::find_uncovered(const Part& part, const Shadow& shadow
     if (before && role_of(world_.shadow_roles, primitives_[static_cast<std::size_t>(object)]) == ShadowRole::stops) {
       through.reset();
     } else if (before || world_.absorbs) {
-      const Ray<double> ray{shadow.ray.origin, detail::in_space(direction), shadow.ray.departure, shadow.ray.time};
+      const Ray<double> ray{shadow.ray.origin, detail::in_plan(direction), shadow.ray.departure, shadow.ray.time};
       through = shadow_transmittance(world_, ray, light.t_far(), statistics_.tests, filters_met_, {}, shadow.medium);
     }
     if (through) {
-      found.transmittance += piece.width() * *through;
+      found.transmittance += shadow.share * piece.width() * *through;
       found.ending = Ending::reached_light;
     } else if (before && piece.width() > widest) {
       widest = piece.width();
       found.object = object;
-      found.point = detail::in_space(met), found.normal = -normalize(detail::in_space(direction));
+      found.point = detail::in_plan(met), found.normal = -normalize(detail::in_plan(direction));
       found.t = length(met - from) / length(direction);
     }
   }

@@ -44,7 +44,7 @@ auto BeamTracer<Watcher>::form_beam(const Pixel& pixel) -> Beam {
   const PixelFan fan{plan(camera_.edge(pixel.column, pixel.row)), plan(camera_.edge(pixel.column + 1, pixel.row))};
   Beam beam{plan_, fan, {0, 0}, {1, 0}, Rgbd(1.0), rays_formed_++};
   if (nested_.any_around_eye()) {
-    const Ray<double> middle{camera_.eye(), normalize(detail::in_space(fan.at({0.5, 0}))), {}, camera_.shutter_open()};
+    const Ray<double> middle{camera_.eye(), normalize(detail::in_plan(fan.at({0.5, 0}))), {}, camera_.shutter_open()};
     beam.medium = nested_.at_eye(middle, statistics_.tests);
   }
   note(Line::form_beam, 0, [&] {
@@ -86,12 +86,12 @@ auto BeamTracer<Watcher>::cut(Line line, int depth, const Beam& beam) -> std::ve
 template <class Watcher>
 void BeamTracer<Watcher>::meet(Part& part, const Beam& beam, const Place& place) {
   const Vec2d direction = beam.fan.at(place);
-  part.ray = {detail::in_space(beam.plan->start(direction)), normalize(detail::in_space(beam.plan->leaving(direction))),
+  part.ray = {detail::in_plan(beam.plan->start(direction)), normalize(detail::in_plan(beam.plan->leaving(direction))),
               beam.departure, camera_.shutter_open()};
   if (part.outline < 0) return;
   const auto index = static_cast<std::size_t>(part.outline);
   part.object = outlines_[index].object;
-  const Vec3d end = detail::in_space(beam.plan->end(beam.fan, part, place));
+  const Vec3d end = detail::in_plan(beam.plan->end(beam.fan, part, place));
   const Hit<double> hit{length(end - part.ray.origin), primitives_[static_cast<std::size_t>(part.object)],
                         outlines_[index].part};
   const detail::MiddleOfPart<double> middle{part.ray, part.number, beam.medium};
@@ -115,10 +115,10 @@ BeamArea BeamTracer<Watcher>::area_of(const Beam& beam, const BeamPart& part) co
                      : i == steps ? part.end
                                   : Place{part.begin.value() + place * (part.end - part.begin), 0};
     const Vec2d direction = beam.fan.at(at);
-    const Vec3d start = detail::in_space(beam.plan->start(direction));
+    const Vec3d start = detail::in_plan(beam.plan->start(direction));
     area.starts.push_back(start);
-    area.ends.push_back(part.outline >= 0 ? detail::in_space(beam.plan->end(beam.fan, part, at))
-                                          : start + far_ * normalize(detail::in_space(beam.plan->leaving(direction))));
+    area.ends.push_back(part.outline >= 0 ? detail::in_plan(beam.plan->end(beam.fan, part, at))
+                                          : start + far_ * normalize(detail::in_plan(beam.plan->leaving(direction))));
   }
   return area;
 }
@@ -139,15 +139,10 @@ void BeamTracer<Watcher>::begin(int depth, const std::vector<Part>& parts, const
 
 template <class Watcher>
 Rgbd BeamTracer<Watcher>::shade_middle(int depth, const Part& part, const DirectLighting& direct) {
-  PartShaded shaded{part.number, Rgbd(0.0), Rgbd(0.0), direct.terms, world_.background_along(part.ray.direction)};
-  if (part.at) {
-    shaded.ambient = part.ambient * world_.ambient;
-    shaded.emission = part.at->values().emission;
-    shaded.total = shaded.ambient + shaded.emission + direct.sum;
-  }
-  const Rgbd total = shaded.total;
-  note(Line::shade_middle, depth, [&] { return std::move(shaded); });
-  return total;
+  const detail::MiddleShade<double> shade = detail::shade_of_middle(world_, part, direct.sum);
+  note(Line::shade_middle, depth,
+       [&] { return PartShaded{part.number, shade.ambient, shade.emission, direct.terms, shade.total}; });
+  return shade.total;
 }
 
 template <class Watcher>
@@ -181,7 +176,7 @@ auto BeamTracer<Watcher>::form_mirrored_beam(int depth, const Part& part, const 
                 at.departure,
                 at.medium};
   note(Line::form_mirrored_beam, depth, [&] {
-    return BeamFormed{mirrored.number,    part.number,      detail::in_space(mirrored.plan->virtual_eye()),
+    return BeamFormed{mirrored.number,    part.number,      detail::in_plan(mirrored.plan->virtual_eye()),
                       part.begin.value(), part.end.value(), area_of(mirrored, {part.begin, part.end}),
                       throughput};
   });
@@ -190,13 +185,8 @@ auto BeamTracer<Watcher>::form_mirrored_beam(int depth, const Part& part, const 
 
 template <class Watcher>
 bool BeamTracer<Watcher>::sends(const Part& part, RayKind kind) const {
-  if (!part.at || is_black(weight_of(part, kind))) return false;
+  if (!part.at || is_black(detail::weight_of(*part.at, kind))) return false;
   return kind == RayKind::refract || !is_straight(part);
-}
-
-template <class Watcher>
-const Rgbd& BeamTracer<Watcher>::weight_of(const Part& part, RayKind kind) {
-  return kind == RayKind::refract ? part.at->bsdf.transparent : part.at->bsdf.mirror;
 }
 
 template <class Watcher>
@@ -215,23 +205,20 @@ template <class Watcher>
 auto BeamTracer<Watcher>::form_middle_ray(int depth, const Part& part, const Beam& beam, RayKind kind)
     -> std::optional<MiddleRay> {
   const SurfaceVertex<double>& at = *part.at;
-  const bool refracts = kind == RayKind::refract;
-  const Vec3d& direction = refracts ? at.bsdf.transparent_axis : at.bsdf.mirror_axis;
+  const auto [sent, medium] = detail::sent_ray(world_, at, kind);
   const Rgbd throughput =
-      beam.throughput * at.throughput * weight_of(part, kind) * (part.width() / (beam.end - beam.begin));
+      beam.throughput * at.throughput * detail::weight_of(at, kind) * (part.width() / (beam.end - beam.begin));
   if (const auto why = detail::why_not_followed(world_, depth, throughput)) {
     ++statistics_.ends(*why);
     note(Line::form_middle_ray, depth,
-         [&] { return RayNotFormed{part.number, kind, *why, at.position, direction, throughput}; });
+         [&] { return RayNotFormed{part.number, kind, *why, at.position, sent.direction, throughput}; });
     return std::nullopt;
   }
-  const MiddleRay ray{
-      spawn_ray<Ray<double>>(world_, at.position, at.bsdf.geometric_normal, at.departure, direction, at.time), kind,
-      rays_formed_++, refracts ? at.behind : at.medium};
+  const MiddleRay ray{sent, kind, rays_formed_++, medium};
   ++statistics_.formed(kind);
   note(Line::form_middle_ray, depth, [&] {
-    RayFormed formed{ray.number, part.number, kind, ray.ray.origin, direction, throughput};
-    if (refracts) formed.snell = snell_numbers(at.refraction);
+    RayFormed formed{ray.number, part.number, kind, sent.origin, sent.direction, throughput};
+    if (kind == RayKind::refract) formed.snell = snell_numbers(at.refraction);
     return formed;
   });
   return ray;
@@ -259,12 +246,8 @@ double BeamTracer<Watcher>::off_near_ends(int depth, const Beam& beam, const Par
     Rgbd brought{0.0};
     for (const RayKind kind : {RayKind::reflect, RayKind::refract}) {
       if (!sends(beside, kind) || detail::why_not_followed(world_, depth, Rgbd(1.0))) continue;
-      const SurfaceVertex<double>& at = *beside.at;
-      const bool refracts = kind == RayKind::refract;
-      const Ray<double> ray =
-          spawn_ray<Ray<double>>(world_, at.position, at.bsdf.geometric_normal, at.departure,
-                                 refracts ? at.bsdf.transparent_axis : at.bsdf.mirror_axis, at.time);
-      brought += weight_of(beside, kind) * tracer_.radiance_along(ray, depth + 1, refracts ? at.behind : at.medium);
+      const auto [sent, medium] = detail::sent_ray(world_, *beside.at, kind);
+      brought += detail::weight_of(*beside.at, kind) * tracer_.radiance_along(sent, depth + 1, medium);
     }
     const Rgbd more = brought - followed;
     off = std::max({off, std::abs(more.x), std::abs(more.y), std::abs(more.z)});

@@ -14,6 +14,7 @@
 
 #include "math/stop.h"
 #include "trace/kernel.h"
+#include "trace/part_steps.h"
 #include "trace/surface_vertex.h"
 #include "trace/tracer.h"
 #include "trace/unfolded_plan.h"
@@ -25,7 +26,7 @@
 namespace raywalk {
 
 namespace detail {
-[[nodiscard]] inline Vec3d in_space(const Vec2d& at) { return {at.x, at.y, 0}; }
+[[nodiscard]] inline Vec3d in_plan(const Vec2d& at) { return {at.x, at.y, 0}; }
 }  // namespace detail
 
 template <class Watcher>
@@ -84,7 +85,14 @@ class BeamTracer {
     Ray<double> ray;
     int number;
     const Medium* medium;
-    std::optional<PixelFan> fan{};  ///< then: to both of its ends
+    std::optional<PixelFan> fan{};  ///< then: to both ends of what lies before the surface
+    double share = 1;               ///< of the light, which that is
+  };
+  /// What of a light lies before a surface: its middle, and of a light with an extent both ends, seen from the surface.
+  struct LightSeen {
+    Vec3d to_light;  ///< not of unit length; it may still face away
+    std::optional<PixelFan> fan;
+    double share = 1;
   };
   /// What lights bring; each one's term only when observed.
   struct DirectLighting {
@@ -105,7 +113,7 @@ class BeamTracer {
     for (const Part& part : parts) {
       begin(depth, parts, part);
       DirectLighting direct;
-      for (const Light& light : lights_of(part)) {
+      for (const Light& light : detail::lights_on(world_, part)) {
         // Form shadow ray
         const std::optional<Shadow> shadow = form_shadow_ray(depth, part, beam, light);
         if (!shadow) {
@@ -139,7 +147,7 @@ class BeamTracer {
           if (!ray) continue;
           // Follow it as a ray
           const Rgbd light = follow_middle_ray(depth, *ray);
-          (kind == RayKind::reflect ? reflected : refracted) = weight_of(part, kind) * light;
+          (kind == RayKind::reflect ? reflected : refracted) = detail::weight_of(*part.at, kind) * light;
         }
       }
       // Add shade, times coverage
@@ -158,10 +166,9 @@ class BeamTracer {
   [[nodiscard]] BeamArea area_of(const Beam& beam, const BeamPart& part) const;
   int call_shade_parts(Line line, int depth, const Beam& beam);
   void begin(int depth, const std::vector<Part>& parts, const Part& part);
-  [[nodiscard]] const std::vector<Light>& lights_of(const Part& part) const;
   std::optional<Shadow> form_shadow_ray(int depth, const Part& part, const Beam& beam, const Light& light);
   Rgbd find_intersection(int depth, const Part& part, const Shadow& shadow, const Light& light);
-  [[nodiscard]] bool has_extent(const Light& light) const;
+  [[nodiscard]] LightSeen seen_of(const Light& light, const SurfaceVertex<double>& at) const;
   [[nodiscard]] std::optional<PixelFan> fan_to(const Light& light, const Vec3d& from) const;
   [[nodiscard]] Found find_uncovered(const Part& part, const Shadow& shadow, const Light& light);
   void add_unlit(DirectLighting& direct, const Light& light);
@@ -173,7 +180,6 @@ class BeamTracer {
   std::optional<Beam> form_mirrored_beam(int depth, const Part& part, const Beam& beam);
   bool decide_curved_or_glass(int depth, const Part& part);
   [[nodiscard]] bool sends(const Part& part, RayKind kind) const;
-  [[nodiscard]] static const Rgbd& weight_of(const Part& part, RayKind kind);
   std::optional<MiddleRay> form_middle_ray(int depth, const Part& part, const Beam& beam, RayKind kind);
   Rgbd follow_middle_ray(int depth, const MiddleRay& ray);
   [[nodiscard]] double off_near_ends(int depth, const Beam& beam, const Part& part, const Rgbd& followed);

@@ -12,12 +12,6 @@
 
 namespace raywalk {
 
-template <class T, class Watcher, bool with_maps>
-auto ConeTracer<T, Watcher, with_maps>::lights_of(const Part& part) const -> const std::vector<Light>& {
-  static const std::vector<Light> none;
-  return part.at && world_.effects.used(Effect::shadows) ? world_.lights : none;
-}
-
 /// From the part's width at the surface to the light's.
 template <class T, class Watcher, bool with_maps>
 auto ConeTracer<T, Watcher, with_maps>::form_shadow_cone(int depth, const Part& part, const Cone& cone,

@@ -181,15 +181,11 @@ void ConeTracer<T, Watcher, with_maps>::begin(int depth, const std::vector<Part>
 
 template <class T, class Watcher, bool with_maps>
 Rgb<T> ConeTracer<T, Watcher, with_maps>::shade_middle(int depth, const Part& part, const DirectLighting& direct) {
-  Rgb<T> ambient{0}, emission{0}, total = world_.background_along(part.ray.direction);
-  if (part.at) {
-    ambient = part.ambient * world_.ambient;
-    emission = part.at->values().emission;
-    total = ambient + emission + direct.sum;
-  }
-  note(Line::cone_shade_middle, depth,
-       [&] { return PartShaded{part.number, Rgbd(ambient), Rgbd(emission), direct.terms, Rgbd(total)}; });
-  return total;
+  const detail::MiddleShade<T> shade = detail::shade_of_middle(world_, part, direct.sum);
+  note(Line::cone_shade_middle, depth, [&] {
+    return PartShaded{part.number, Rgbd(shade.ambient), Rgbd(shade.emission), direct.terms, Rgbd(shade.total)};
+  });
+  return shade.total;
 }
 
 template <class T, class Watcher, bool with_maps>

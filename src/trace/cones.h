@@ -15,6 +15,7 @@
 #include "math/stop.h"
 #include "trace/cone_cover.h"
 #include "trace/kernel.h"
+#include "trace/part_steps.h"
 #include "trace/surface_vertex.h"
 
 #include <optional>
@@ -91,7 +92,7 @@ class ConeTracer {
     for (const Part& part : parts) {
       begin(depth, parts, part);
       DirectLighting direct;
-      for (const Light& light : lights_of(part)) {
+      for (const Light& light : detail::lights_on(world_, part)) {
         // Form shadow cone
         const std::optional<Shadow> shadow = form_shadow_cone(depth, part, cone, light);
         if (!shadow) {
@@ -140,7 +141,6 @@ class ConeTracer {
   [[nodiscard]] BeamArea area_of(const RayCone& cone, const ConePart& part) const;
   int call_shade_cone(Line line, int depth, const Cone& cone);
   void begin(int depth, const std::vector<Part>& parts, const Part& part);
-  [[nodiscard]] const std::vector<Light>& lights_of(const Part& part) const;
   std::optional<Shadow> form_shadow_cone(int depth, const Part& part, const Cone& cone, const Light& light);
   Rgb<T> find_uncovered(int depth, const Part& part, const Shadow& shadow, const Light& light);
   [[nodiscard]] Rgb<T> transmittance_of(const ConePart& blocker, const Part& part, const Shadow& shadow,

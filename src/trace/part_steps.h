@@ -3,6 +3,7 @@
 
 #include "trace/event.h"
 #include "trace/optics.h"
+#include "trace/spawn_ray.h"
 #include "trace/surface_vertex.h"
 #include "trace/world.h"
 
@@ -48,6 +49,19 @@ template <class T>
   return std::nullopt;
 }
 
+/// The lights that a part is asked of.
+template <class T, class Part>
+[[nodiscard]] const std::vector<typename World<T>::Light>& lights_on(const World<T>& world, const Part& part) {
+  static const std::vector<typename World<T>::Light> none;
+  return part.at && world.effects.used(Effect::shadows) ? world.lights : none;
+}
+
+/// Whether a light is as wide as it is, and casts a penumbra.
+template <class T>
+[[nodiscard]] bool has_extent(const World<T>& world, const typename World<T>::Light& light) {
+  return !light.is_delta && !light.is_distant && world.effects.used(Effect::penumbra);
+}
+
 template <class T>
 struct PartLight {
   Rgb<T> diffuse{0}, specular{0};
@@ -82,6 +96,47 @@ template <class T>
   const Vec3d u(rectangle->u), v(rectangle->v);
   if (flat) return (std::abs(cross(plan(u), plan(l))) + std::abs(cross(plan(v), plan(l)))) / 2;
   return std::sqrt(std::abs(dot(cross(u, v), l)) / std::numbers::pi);
+}
+
+/// What the middle of a part sends back but for what it reflects and transmits.
+template <class T>
+struct MiddleShade {
+  Rgb<T> ambient{0}, emission{0}, total{0};
+};
+
+/// `direct`: what lights bring.
+template <class T, class Part>
+[[nodiscard]] MiddleShade<T> shade_of_middle(const World<T>& world, const Part& part, const Rgb<T>& direct) {
+  MiddleShade<T> shade;
+  if (part.at) {
+    shade.ambient = part.ambient * world.ambient;
+    shade.emission = part.at->values().emission;
+    shade.total = shade.ambient + shade.emission + direct;
+  } else {
+    shade.total = world.background_along(part.ray.direction);
+  }
+  return shade;
+}
+
+/// How much of the light from a reflected or refracted ray a surface sends on.
+template <class T, bool with_maps>
+[[nodiscard]] const Rgb<T>& weight_of(const SurfaceVertex<T, true, with_maps>& at, RayKind kind) {
+  return kind == RayKind::refract ? at.bsdf.transparent : at.bsdf.mirror;
+}
+
+/// The single ray that a surface sends out as a mirror or as glass, and what it goes through.
+template <class T>
+struct SentRay {
+  Ray<T> ray;
+  const typename World<T>::Medium* medium;
+};
+
+template <class T>
+[[nodiscard]] SentRay<T> sent_ray(const World<T>& world, const SurfaceVertex<T>& at, RayKind kind) {
+  const bool refracts = kind == RayKind::refract;
+  return {spawn_ray<Ray<T>>(world, at.position, at.bsdf.geometric_normal, at.departure,
+                            refracts ? at.bsdf.transparent_axis : at.bsdf.mirror_axis, at.time),
+          refracts ? at.behind : at.medium};
 }
 
 }  // namespace raywalk::detail

@@ -12,7 +12,7 @@ struct CutScene {
 };
 struct CutSettings {
   double size = infinity<double>;  ///< the longest side of a patch
-  int most = 5000;                 ///< patches
+  int most = Patches::most;
   bool flat = false;               ///< in the plane
   int least_sides = 16;            ///< of what stands for a circle
 };

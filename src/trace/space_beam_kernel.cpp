@@ -2,8 +2,6 @@
 
 #include "trace/space_beams.h"
 
-#include <utility>
-
 namespace raywalk {
 
 namespace {
@@ -40,15 +38,11 @@ template Statistics trace_space_beams_watched(const World<float>&, const BeamFac
 template Statistics trace_space_beams_watched(const World<double>&, const BeamFaces&, const RayGenerator<double>&,
                                               const PixelBlock&, const PutPixel<double>&, Observer&);
 
-std::vector<BeamPolygon> parts_of_picture(const World<double>& world, const BeamFaces& faces,
-                                          const RayGenerator<double>& camera, const Vec2d& from, const Vec2d& to,
-                                          const Stop& stop) {
+std::vector<ShadedPiece<double>> parts_of_picture(const World<double>& world, const BeamFaces& faces,
+                                                  const RayGenerator<double>& camera, const Vec2d& from,
+                                                  const Vec2d& to, const Stop& stop) {
   NoObserver no_observer;
-  SpaceBeamTracer<double, NoObserver> tracer(world, faces, camera, no_observer, stop);
-  std::vector<BeamPolygon> parts;
-  for (ShadedPiece<double>& piece : tracer.parts_of(from, to))
-    parts.push_back({std::move(piece.window), piece.shade, piece.object});
-  return parts;
+  return SpaceBeamTracer<double, NoObserver>(world, faces, camera, no_observer, stop).parts_of(from, to);
 }
 
 }  // namespace raywalk

@@ -18,15 +18,17 @@ template <class T>
 Statistics trace_space_beams_watched(const World<T>& world, const BeamFaces& faces, const RayGenerator<T>& camera,
                                      const PixelBlock& block, const PutPixel<T>& put, Observer& observer);
 
-/// A polygon of a picture, in pixels from its upper left corner, with one shade.
-struct BeamPolygon {
-  std::vector<Vec2d> corners;
-  Rgbd shade{0.0};
-  int object = -1;  ///< that is seen there; -1: none
+/// A part of a window, and what comes back along its rays.
+template <class T>
+struct ShadedPiece {
+  WindowPiece window;
+  Rgb<T> shade{0};
+  int object = -1;  ///< that the eye sees there; -1: none
 };
-/// The polygons that are a rectangle of a picture together.
-[[nodiscard]] std::vector<BeamPolygon> parts_of_picture(const World<double>& world, const BeamFaces& faces,
-                                                        const RayGenerator<double>& camera, const Vec2d& from,
-                                                        const Vec2d& to, const Stop& stop = {});
+
+/// The parts of a rectangle of a picture, in pixels from its upper left corner.
+[[nodiscard]] std::vector<ShadedPiece<double>> parts_of_picture(const World<double>& world, const BeamFaces& faces,
+                                                                const RayGenerator<double>& camera, const Vec2d& from,
+                                                                const Vec2d& to, const Stop& stop = {});
 
 }  // namespace raywalk

@@ -9,11 +9,12 @@
 // single ray is followed, from the middle, as trace/tracer.h does.
 //
 // `main_algorithm` and `shade_parts` read like trace/pseudocode.h, and a test holds them together; what a statement
-// does stands in trace/space_beam_steps.h.
+// does stands in trace/space_beam_steps.h, and for lights in trace/space_beam_light_steps.h.
 
 #include "math/stop.h"
 #include "trace/beam_faces.h"
-#include "trace/kernel.h"
+#include "trace/part_steps.h"
+#include "trace/space_beam_kernel.h"
 #include "trace/surface_vertex.h"
 #include "trace/tracer.h"
 
@@ -23,14 +24,6 @@
 #include <vector>
 
 namespace raywalk {
-
-/// A part of a window, and what comes back along its rays.
-template <class T>
-struct ShadedPiece {
-  WindowPiece window;
-  Rgb<T> shade{0};
-  int object = -1;  ///< that the eye sees there; -1: none
-};
 
 template <class T, class Watcher>
 class SpaceBeamTracer {
@@ -126,7 +119,7 @@ class SpaceBeamTracer {
     for (const Part& part : parts) {
       begin(depth, beam, parts, part);
       DirectLighting direct;
-      for (const Light& light : lights_of(part)) {
+      for (const Light& light : detail::lights_on(world_, part)) {
         // Form shadow ray
         const std::optional<Shadow> shadow = form_shadow_ray(depth, part, beam, light);
         if (!shadow) {
@@ -161,7 +154,7 @@ class SpaceBeamTracer {
           if (!ray) continue;
           // Follow it as a ray
           const Rgb<T> light = follow_middle_ray(depth, *ray);
-          followed[kind == RayKind::refract] = weight_of(part, kind) * light;
+          followed[kind == RayKind::refract] = detail::weight_of(*part.at, kind) * light;
         }
       }
       // Add shade, times coverage
@@ -177,13 +170,15 @@ class SpaceBeamTracer {
   [[nodiscard]] std::vector<Part> divided_by_shadows(const Beam& beam, const Part& whole);
   void divide_by_squares(std::vector<Part>& parts, const Beam& beam, Part&& whole) const;
   [[nodiscard]] bool shows_shadows(const BeamFace& face) const;
+  /// Of a beam's window.
+  [[nodiscard]] static T share_of(const Part& part, const Beam& beam) {
+    return static_cast<T>(area_of(part.window) / area_of(beam.window));
+  }
   void meet(Part& part, const Beam& beam);
   /// As drawn: the two sides that are widest apart in the plan, or beside each other.
   [[nodiscard]] BeamArea drawn_area(const Beam& beam, const SeenFace& part) const;
   int call_shade_parts(Line line, int depth, const Beam& beam);
   void begin(int depth, const Beam& beam, const std::vector<Part>& parts, const Part& part);
-  [[nodiscard]] const std::vector<Light>& lights_of(const Part& part) const;
-  [[nodiscard]] bool has_extent(const Light& light) const;
   [[nodiscard]] bool faces(const Vertex& at, const Light& light) const;
   std::optional<Shadow> form_shadow_ray(int depth, const Part& part, const Beam& beam, const Light& light);
   std::vector<Arriving> find_intersection(int depth, const Part& part, const Shadow& shadow, const Light& light);
@@ -199,7 +194,6 @@ class SpaceBeamTracer {
   bool decide_flat_mirror(int depth, const Part& part);
   std::optional<Beam> form_mirrored_beam(int depth, const Part& part, const Beam& beam);
   [[nodiscard]] bool sends(const Part& part, RayKind kind) const;
-  [[nodiscard]] static const Rgb<T>& weight_of(const Part& part, RayKind kind);
   bool decide_curved_or_glass(int depth, const Part& part);
   std::optional<MiddleRay> form_middle_ray(int depth, const Part& part, const Beam& beam, RayKind kind);
   Rgb<T> follow_middle_ray(int depth, const MiddleRay& ray);
@@ -229,4 +223,5 @@ class SpaceBeamTracer {
 
 }  // namespace raywalk
 
+#include "trace/space_beam_light_steps.h"
 #include "trace/space_beam_steps.h"

@@ -44,6 +44,24 @@ TEST_CASE("what else a world is made from makes another") {
   CHECK(changed([](Scene& s) { s.camera.shutter_close += 1; }));
 }
 
+TEST_CASE("where the eye goes into a body, another world is made") {
+  Scene scene = busy_scene();
+  const Vec3d outside = scene.camera.eye;
+  Material glass;
+  glass.transmission = Rgbd(0.8);
+  glass.ior = 1.5;
+  scene.objects.push_back({"Ball", Sphere<double>{outside + Vec3d(0, 0, 40), 2}, glass});
+  WorldCache worlds;
+  const auto first = worlds.of<double>(scene);
+  scene.camera.eye = outside + Vec3d(0, 0, 40.5);
+  const auto inside = worlds.of<double>(scene);
+  CHECK(inside != first);
+  scene.camera.eye = outside + Vec3d(0, 0, 39.5);
+  CHECK(worlds.of<double>(scene) == inside);
+  scene.camera.eye = outside;
+  CHECK(worlds.of<double>(scene) != inside);
+}
+
 TEST_CASE("two worlds are kept, and no third, for each may be large") {
   const Scene scene = busy_scene();
   WorldCache worlds;

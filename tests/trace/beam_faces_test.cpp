@@ -2,35 +2,23 @@
 
 #include "trace/beam_faces.h"
 
+#include "trace/window_places.h"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <random>
 
 #include "support/catch.h"
 #include "support/effort.h"
 
 namespace raywalk::beam_faces_test {
 
-using raywalk::test::rounds;
+using namespace raywalk::test;
 
 namespace {
 
-class Draw {
- public:
-  explicit Draw(int seed) : engine_(static_cast<unsigned>(seed)) {}
-  double operator()(double low, double high) {
-    return low + (high - low) * (static_cast<double>(engine_()) / 4294967296.0);
-  }
-  Vec3d place(double size) { return {(*this)(-size, size), (*this)(-size, size), (*this)(-size, size)}; }
-
- private:
-  std::mt19937 engine_;
-};
-
 BeamFace face_of(const std::vector<Vec3d>& corners, int primitive) {
-  BeamFace face;
-  for (const Vec3d& corner : corners) face.corner[static_cast<std::size_t>(face.corners++)] = corner;
+  BeamFace face{corners, {}};
   face.plane.normal = normalize(cross(corners[1] - corners[0], corners[2] - corners[0]));
   face.plane.offset = dot(face.plane.normal, corners[0]);
   face.primitive = primitive;
@@ -58,11 +46,10 @@ std::optional<double> met(const BeamFace& face, const Vec3d& from, const Vec3d& 
   if (!(t > 0)) return std::nullopt;
   const Vec3d at = from + t * direction;
   double least = 1;
-  for (int i = 0; i < face.corners; ++i) {
-    const Vec3d& corner = face.corner[static_cast<std::size_t>(i)];
-    const Vec3d along = face.next(i) - corner;
+  detail::for_each_side(face, [&](const Vec3d& corner, const Vec3d& next) {
+    const Vec3d along = next - corner;
     least = std::min(least, dot(cross(face.plane.normal, along), at - corner) / length(along));
-  }
+  });
   if (std::abs(least) < 1e-7) *doubtful = true;
   return least > 0 ? std::optional(t) : std::nullopt;
 }
@@ -87,17 +74,6 @@ Nearest nearest_of(const std::vector<BeamFace>& faces, const Vec3d& from, const 
     if (*t < nearest.t) nearest.t = *t, nearest.face = static_cast<int>(i);
   }
   return nearest;
-}
-
-double inside_by(const WindowPiece& corners, const Vec2d& place) {
-  double least = infinity<double>, twice = 0;
-  for (std::size_t i = 0; i < corners.size(); ++i) twice += cross(corners[i], corners[(i + 1) % corners.size()]);
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Vec2d along = corners[(i + 1) % corners.size()] - corners[i];
-    if (length(along) > 1e-9)
-      least = std::min(least, std::copysign(1.0, twice) * cross(along, place - corners[i]) / length(along));
-  }
-  return least;
 }
 
 template <class Piece>

@@ -5,12 +5,12 @@
 #include "scene/beam_limits.h"
 #include "trace/beam_scene.h"
 #include "trace/pictures.h"
+#include "trace/window_places.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <random>
 
 #include "support/catch.h"
 #include "support/effort.h"
@@ -50,34 +50,6 @@ Scene empty_scene() {
   return scene;
 }
 
-class Numbers {
- public:
-  explicit Numbers(unsigned seed) : engine_(seed) {}
-  double real(double low, double high) { return low + (high - low) * (static_cast<double>(engine_()) / 4294967296.0); }
-  Vec3d place(double size) { return {real(-size, size), real(-size, size), real(-size, size)}; }
-
- private:
-  std::mt19937 engine_;
-};
-
-/// How far inside a convex polygon a place lies; negative outside.
-double inside_by(const std::vector<Vec2d>& corners, const Vec2d& place) {
-  double twice = 0, least = infinity<double>;
-  for (std::size_t i = 0; i < corners.size(); ++i) twice += cross(corners[i], corners[(i + 1) % corners.size()]);
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Vec2d along = corners[(i + 1) % corners.size()] - corners[i];
-    if (length(along) < 1e-9) continue;
-    least = std::min(least, std::copysign(1.0, twice) * cross(along, place - corners[i]) / length(along));
-  }
-  return least;
-}
-
-double area(const std::vector<Vec2d>& corners) {
-  double twice = 0;
-  for (std::size_t i = 2; i < corners.size(); ++i) twice += cross(corners[i - 1] - corners[0], corners[i] - corners[0]);
-  return std::abs(twice) / 2;
-}
-
 /// Every pixel's parts, against rays through `fine` x `fine` places of it. Returns how many places are compared.
 int compare_with_rays(const Scene& scene, int width, int height, int fine, double tolerance = 1e-9) {
   REQUIRE(why_no_space_beams(scene).empty());
@@ -95,10 +67,10 @@ int compare_with_rays(const Scene& scene, int width, int height, int fine, doubl
   for (int row = 0; row < height; ++row)
     for (int column = 0; column < width; ++column) {
       const Vec2d from(column, row);
-      const std::vector<BeamPolygon> parts = parts_of_picture(world, faces, camera, from, from + Vec2d(1, 1));
+      const std::vector<ShadedPiece<double>> parts = parts_of_picture(world, faces, camera, from, from + Vec2d(1, 1));
       double whole = 0;
-      for (const BeamPolygon& part : parts) {
-        whole += area(part.corners);
+      for (const ShadedPiece<double>& part : parts) {
+        whole += area_of(part.window);
         const Rgbd& shade = part.shade;
         wrong += !(std::isfinite(shade.x) && std::isfinite(shade.y) && std::isfinite(shade.z));
       }
@@ -109,8 +81,8 @@ int compare_with_rays(const Scene& scene, int width, int height, int fine, doubl
       for (int y = 0; y < fine; ++y)
         for (int x = 0; x < fine; ++x) {
           const Vec2d place = from + Vec2d(x + 0.5, y + 0.5) / static_cast<double>(fine);
-          const auto part = std::find_if(parts.begin(), parts.end(), [&](const BeamPolygon& each) {
-            return inside_by(each.corners, place) > 1e-7;
+          const auto part = std::find_if(parts.begin(), parts.end(), [&](const ShadedPiece<double>& each) {
+            return inside_by(each.window, place) > 1e-7;
           });
           if (part == parts.end()) continue;  // on an edge
           ++compared;
@@ -135,7 +107,7 @@ Picture<T> picture_of(const Scene& scene, int width, int height, Sampling sampli
                        });
 }
 
-Triangle<double> random_triangle(Numbers& next, double size) {
+Triangle<double> random_triangle(Draw& next, double size) {
   const Vec3d middle = next.place(1.5);
   return {middle + next.place(size), middle + next.place(size), middle + next.place(size)};
 }
@@ -145,11 +117,11 @@ Triangle<double> random_triangle(Numbers& next, double size) {
 TEST_CASE("the parts of a pixel are the pixel, and each sees what rays see, through faces that cross each other") {
   for (int seed = 0; seed < rounds(8); ++seed) {
     CAPTURE(seed);
-    Numbers next(static_cast<unsigned>(seed));
+    Draw next(seed);
     Scene scene = empty_scene();
     for (int i = 0; i < 30; ++i)
-      scene.objects.push_back({"T" + std::to_string(i), random_triangle(next, 0.8),
-                               glowing({next.real(0, 1), next.real(0, 1), next.real(0, 1)})});
+      scene.objects.push_back(
+          {"T" + std::to_string(i), random_triangle(next, 0.8), glowing({next(0, 1), next(0, 1), next(0, 1)})});
     CHECK(compare_with_rays(scene, 16, 12, 9) > 16 * 12 * 60);
   }
 }
@@ -157,25 +129,43 @@ TEST_CASE("the parts of a pixel are the pixel, and each sees what rays see, thro
 TEST_CASE("flat mirrors show by beams what rays see in them, mirrors in mirrors too") {
   for (int seed = 0; seed < rounds(8); ++seed) {
     CAPTURE(seed);
-    Numbers next(100 + static_cast<unsigned>(seed));
+    Draw next(100 + seed);
     Scene scene = empty_scene();
     for (int i = 0; i < 14; ++i)
       scene.objects.push_back({"T" + std::to_string(i), random_triangle(next, 0.9),
-                               glowing({next.real(0, 1), next.real(0, 1), next.real(0, 1)}, i % 2 == 0 ? 0.6 : 0)});
+                               glowing({next(0, 1), next(0, 1), next(0, 1)}, i % 2 == 0 ? 0.6 : 0)});
     scene.objects.push_back({"Wall", Box<double>{{-3, 2, -3}, {3, 2.5, 3}}, glowing({0.1, 0, 0}, 0.7)});
     scene.objects.push_back({"Floor", Plane<double>{{0, 0, -1.2}, {0.1, 0, 1}}, glowing({0, 0.1, 0}, 0.5)});
     CHECK(compare_with_rays(scene, 12, 9, 9) > 12 * 9 * 50);
   }
 }
 
+TEST_CASE("a disc is one face, whose corners lie on its rim, wherever it is moved") {
+  Scene scene = empty_scene();
+  scene.objects = {{"Disc", Disk<double>{{1, 2, 3}, {0, 0, -2}, 0.7}, glowing({1, 0, 0})}};
+  scene.objects[0].transform = {{Scale{{2, 1, 1}}}, {Translate{{0, 0.5, 0.25}}}};
+  const BeamFaces faces = beam_faces_of(scene);
+  REQUIRE(faces.size() == 1);
+  const BeamFace& face = faces[0];
+  CHECK(face.is_flat);
+  CHECK(face.outline.size() == 64);
+  double twice = 0;
+  detail::for_each_side(face, [&](const Vec3d& from, const Vec3d& to) {
+    twice += dot(cross(from, to), face.plane.normal);
+    CHECK(face.plane.above(from) == Approx(0).margin(1e-12));
+    CHECK(length((from - Vec3d(2, 2.5, 3.25)) / Vec3d(2, 1, 1)) == Approx(0.7).epsilon(1e-12));
+  });
+  CHECK(twice / 2 == Approx(2 * 32 * 0.49 * std::sin(2 * std::numbers::pi / 64)).epsilon(1e-12));
+}
+
 TEST_CASE("the shadows of points and directions are cut where rays find their edges") {
   for (int seed = 0; seed < rounds(8); ++seed) {
     CAPTURE(seed);
-    Numbers next(200 + static_cast<unsigned>(seed));
+    Draw next(200 + seed);
     Scene scene = empty_scene();
     scene.lights = {{"Sun", Rgbd(0.7), DirectionalLight{{0.3, -0.4, 1}}}};
     for (int i = 0; i < 14; ++i)
-      scene.objects.push_back({"T" + std::to_string(i), random_triangle(next, 0.7), matt(next.real(0.2, 1))});
+      scene.objects.push_back({"T" + std::to_string(i), random_triangle(next, 0.7), matt(next(0.2, 1))});
     scene.objects.push_back({"Floor", Plane<double>{{0, 0, -1.2}, {0, 0, 1}}, matt(0.8)});
     scene.objects.push_back({"Box", Box<double>{{-0.5, -0.5, -1.2}, {0.4, 0.4, -0.2}}, matt(0.5)});
     CHECK(compare_with_rays(scene, 12, 9, 9) > 12 * 9 * 50);
@@ -215,8 +205,8 @@ TEST_CASE("a point light's shadow on a floor is as large as that of its triangle
   const ImageSize size{1, 1};
   const RayGenerator<double> camera(scene, size, size);
   double dark = 0;
-  for (const BeamPolygon& part : parts_of_picture(world, faces, camera, {0, 0}, {1, 1}))
-    if (part.object == 0 && part.shade.x == 0) dark += area(part.corners);
+  for (const ShadedPiece<double>& part : parts_of_picture(world, faces, camera, {0, 0}, {1, 1}))
+    if (part.object == 0 && part.shade.x == 0) dark += area_of(part.window);
   // The window is 2 x 2 at distance 1, the floor at 6; eye and lamp stand above one another.
   const double shadow = 4 * 0.52, unit = 12.0 * 12.0;
   // The triangle itself, seen from 6 above at height 1, covers this much of the floor.
@@ -225,12 +215,11 @@ TEST_CASE("a point light's shadow on a floor is as large as that of its triangle
 }
 
 TEST_CASE("a triangle covers of each pixel what clipping its corners says") {
-  Numbers next(7);
+  Draw next(7);
   for (int round = 0; round < rounds(40); ++round) {
     Scene scene = empty_scene();
-    const Triangle<double> triangle{{next.real(-2, 2), 0, next.real(-2, 2)},
-                                    {next.real(-2, 2), next.real(0, 1), next.real(-2, 2)},
-                                    {next.real(-2, 2), 0, next.real(-2, 2)}};
+    const Triangle<double> triangle{
+        {next(-2, 2), 0, next(-2, 2)}, {next(-2, 2), next(0, 1), next(-2, 2)}, {next(-2, 2), 0, next(-2, 2)}};
     scene.objects = {{"Triangle", triangle, glowing(Rgbd(1.0))}};
     constexpr int side = 8;
     const auto seen = picture_of<double>(scene, side, side);
@@ -255,7 +244,7 @@ TEST_CASE("a triangle covers of each pixel what clipping its corners says") {
         clip([&](const Vec2d& p) { return column + 1 - p.x; });
         clip([&](const Vec2d& p) { return p.y - row; });
         clip([&](const Vec2d& p) { return row + 1 - p.y; });
-        CHECK(seen.at(column, row).x == Approx(area(clipped)).margin(2e-9));
+        CHECK(seen.at(column, row).x == Approx(area_of(clipped)).margin(2e-9));
       }
   }
 }
@@ -333,7 +322,7 @@ TEST_CASE("a ball is its polygons to an eighth of a percent of its radius, and s
 }
 
 TEST_CASE("which pixels are traced together, and in which precision, changes no edge") {
-  Numbers next(12);
+  Draw next(12);
   Scene scene = empty_scene();
   scene.lights = {{"Lamp", Rgbd(1.0), PointLight{{1, -3, 3}, {}}}};
   for (int i = 0; i < 12; ++i)
@@ -354,10 +343,10 @@ TEST_CASE("which pixels are traced together, and in which precision, changes no 
 }
 
 TEST_CASE("four beams of a pixel see together what one does where shades do not change") {
-  Numbers next(13);
+  Draw next(13);
   Scene scene = empty_scene();
   for (int i = 0; i < 8; ++i)
-    scene.objects.push_back({"T" + std::to_string(i), random_triangle(next, 0.9), glowing(Rgbd(next.real(0, 1)))});
+    scene.objects.push_back({"T" + std::to_string(i), random_triangle(next, 0.9), glowing(Rgbd(next(0, 1)))});
   const auto one = picture_of<double>(scene, 6, 6);
   std::vector<Rgbd> sums(36, Rgbd(0.0));
   const BeamFaces faces = beam_faces_of(scene);
@@ -373,7 +362,7 @@ TEST_CASE("four beams of a pixel see together what one does where shades do not 
 }
 
 TEST_CASE("watching beams in space changes no bit, and tells of parts that are the pixel") {
-  Numbers next(14);
+  Draw next(14);
   Scene scene = empty_scene();
   scene.lights = {{"Lamp", Rgbd(1.0), PointLight{{1, -3, 3}, {}}},
                   {"Panel", Rgbd(0.5), RectangleLight{{-1, -1, 3}, {1, 0, 0}, {0, 1, 0}, 2, {}}}};
