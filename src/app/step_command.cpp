@@ -88,6 +88,17 @@ std::optional<Error> why_no_cone(const StepOptions& options, const Scene& scene)
   return std::nullopt;
 }
 
+/// Why a fault that is asked for breaks nothing here.
+std::optional<Error> why_no_fault(const StepOptions& options, const Scene& scene) {
+  if (!options.fault) return std::nullopt;
+  const Integrator its = integrator_of(*options.fault), own = scene.render.integrator;
+  if (its == Integrator::automatic || its == own) return std::nullopt;
+  return Error{options.scene, 0, 0,
+               fmt::format("{} breaks the integrator {}, and that of this scene is {}", name_of(*options.fault),
+                           name_of(its), name_of(own)),
+               fmt::format("--integrator {} walks the scene so", name_of(its))};
+}
+
 /// More would fill about half a gigabyte.
 constexpr double max_steps = 1'000'000;
 
@@ -132,6 +143,7 @@ ExitCode step_command(const StepOptions& options) {
   const ImageSize size = options.size.value_or(scene.image);
   if (const auto error = why_no_pixel(options, scene, size)) return refuse(*error);
 
+  if (const auto error = why_no_fault(options, scene)) return fail(*error);
   if (const auto error = why_no_beam(options, scene)) return fail(*error);
   if (const auto error = why_no_cone(options, scene)) return fail(*error);
   if (const auto error = why_too_deep(scene.limits.depth)) return fail(*error);

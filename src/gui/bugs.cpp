@@ -19,6 +19,7 @@ void list(const Ui& ui, const BugPanel& panel) {
   const Shades shades(ui.state.appearance.theme);
   for (const BugRow& row : panel.rows) {
     std::string text = ui.say("bug.number", {{"number", row.number}});
+    if (!row.of.empty()) text += " \u00b7 " + row.of;
     if (row.end == BugEnd::found) text += "  \u2713 " + ui.say("bug.found");
     if (row.end == BugEnd::given_up) text += "  \u00b7 " + ui.say("bug.given_up");
     if (wide_button(ui, fmt::format("bug/{}", row.number), text, shades.raised, ui.colours.text, true))

@@ -243,12 +243,8 @@ double BeamTracer<Watcher>::off_near_ends(int depth, const Beam& beam, const Par
   for (const double share : {1.0 / 16, 15.0 / 16}) {
     Part beside = part;
     meet(beside, beam, {part.begin.value() + share * part.width(), 0});
-    Rgbd brought{0.0};
-    for (const RayKind kind : {RayKind::reflect, RayKind::refract}) {
-      if (!sends(beside, kind) || detail::why_not_followed(world_, depth, Rgbd(1.0))) continue;
-      const auto [sent, medium] = detail::sent_ray(world_, *beside.at, kind);
-      brought += detail::weight_of(*beside.at, kind) * tracer_.radiance_along(sent, depth + 1, medium);
-    }
+    const Rgbd brought =
+        detail::brought_by_rays(world_, tracer_, depth, *beside.at, [&](RayKind kind) { return sends(beside, kind); });
     const Rgbd more = brought - followed;
     off = std::max({off, std::abs(more.x), std::abs(more.y), std::abs(more.z)});
   }

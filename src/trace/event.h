@@ -427,7 +427,7 @@ struct PartAdded {
   double share;                  ///< of the beam
   Rgbd mean;                     ///< of the beam, up to the end of this part
   bool last;
-  double off = 0;  ///< where one ray stands for a part: by how much those near its ends bring more or less, at most
+  double off = 0;  ///< where one ray stands for a part: by how much those near its border bring more, at most
 };
 
 using EventDetail = std::variant<PixelBegun, RayFormed, RayNotFormed, Found, Decided, ShadeCalled, ShadeComputed,

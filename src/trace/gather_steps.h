@@ -329,6 +329,7 @@ void PhotonTracer<Policy>::add_light_of_photons(Rgb<T>& shade, const EyeRay& ray
   Rgb<T> added = at.throughput * at.bsdf.diffuse * Rgb<T>(irradiance) * (1 / cosines());
   if constexpr (Policy::effects.microfacets)
     if (photons.answered) added = at.throughput * Rgb<T>(*photons.answered) * (1 / cosines());
+  inject<Policy>(world_, Fault::pi_forgotten, [&] { added *= cosines(); });
   shade += added;
   note(Line::add_light_of_photons, ray.length,
        [&] { return PhotonsAdded{ray.number, irradiance, Rgbd(at.bsdf.diffuse), settings_.flat, Rgbd(added)}; });

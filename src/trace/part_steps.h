@@ -139,4 +139,18 @@ template <class T>
           refracts ? at.behind : at.medium};
 }
 
+/// What single rays from a place of a part bring, as that in its middle does. `sends(kind)`: whether it has one;
+/// `tracer`: follows them.
+template <class T, class Tracer, class Sends>
+[[nodiscard]] Rgb<T> brought_by_rays(const World<T>& world, Tracer& tracer, int depth, const SurfaceVertex<T>& at,
+                                     const Sends& sends) {
+  Rgb<T> brought{0};
+  for (const RayKind kind : {RayKind::reflect, RayKind::refract}) {
+    if (!sends(kind) || why_not_followed(world, depth, Rgb<T>(1))) continue;
+    const auto [sent, medium] = sent_ray(world, at, kind);
+    brought += weight_of(at, kind) * tracer.radiance_along(sent, depth + 1, medium);
+  }
+  return brought;
+}
+
 }  // namespace raywalk::detail

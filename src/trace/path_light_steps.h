@@ -117,8 +117,13 @@ std::optional<Ending> PathTracer<Policy>::aim_at_emitter(LightSample& light_samp
   const Vec2<T> unit =
       draw_pair<T>(camera_.sampler(), key_at(at.length, detail::PathDimension::light), camera_.strata());
   statistics_.drew(Effect::indirect_light, 2);
-  const auto drawn = emitters_.sample(at.position, pick, unit);
+  auto drawn = emitters_.sample(at.position, pick, unit);
   if (!drawn) return Ending::facing_away;
+  inject<Policy>(world_, Fault::emitter_area_forgotten, [&] {
+    for (const auto& emitter : emitters_.all())
+      if (emitter.primitive == drawn->primitive && emitter.part == drawn->part)
+        drawn->pdf *= static_cast<T>(emitter.area);
+  });
   light_sample.ray.direction = drawn->to_light;
   light_sample.medium = dot(drawn->to_light, at.bsdf.geometric_normal) < 0 ? at.behind : at.medium;
   const auto answers = evaluate(at, normalize(drawn->to_light));

@@ -178,6 +178,7 @@ void PathTracer<Policy>::add_emission(Rgb<T>& shade, const PathRay& ray, const V
         emitters_.pdf(seen_from(ray), at.departure.primitive, at.departure.part, at.position, at.outward_normal);
   T weight = 1;
   if (light_pdf > 0) weight = settings_.strategy == PathStrategy::lights ? T(0) : power_heuristic(ray.pdf, light_pdf);
+  inject<Policy>(world_, Fault::emission_not_weighted, [&] { weight = 1; });
   const Rgb<T> added = weight * at.throughput * emission;
   shade += added;
   note(Line::add_emission, ray.length, [&] {
@@ -212,6 +213,9 @@ auto PathTracer<Policy>::choose_direction(const PathRay& ray, const Vertex& at) 
       statistics_.drew(effect, 2);
     }
     choice = at.bsdf.sample(lobe, unit, u);
+    inject<Policy>(world_, Fault::cosine_counted_twice, [&] {
+      if (lobe == Lobe::diffuse) choice->weight *= std::abs(dot(at.bsdf.shading_normal, choice->direction));
+    });
     if constexpr (dipoles) {
       choice->weight *= leaving(at, choice->direction);
       lead_to_exit(at, choice);

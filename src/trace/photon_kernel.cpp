@@ -56,7 +56,7 @@ Statistics PhotonKernel<T>::run(const RayGenerator<T>& camera, const PhotonRange
       return run<Observer>(camera, photons, block, put, forgetful, use);
     }
   } else if (world_.numerics == Numerics::naive) {
-    return run_with.template operator()<Policy<T, Watcher, all_hit_effects, Numerics::naive>>();
+    return run_with.template operator()<Policy<T, Watcher, all_hit_effects, Numerics::naive, true>>();
   }
   if constexpr (!Watcher::watches && !few_kernels) {
     if (world_.surface_maps.empty())

@@ -4,6 +4,7 @@
 #include "math/ray.h"
 #include "scene/effects.h"
 #include "trace/event.h"
+#include "trace/fault.h"
 
 #include <cstddef>
 #include <type_traits>
@@ -120,5 +121,14 @@ struct Policy {
   /// (trace/fault.h). A kernel without them contains none of their code.
   static constexpr bool faulty = Faulty;
 };
+
+/// The policy's hook for fault injection: lets the fault that the world names change what a statement has computed.
+/// Without faults, `damage` is not compiled into the kernel.
+template <class Policy, class World, class Damage>
+void inject(const World& world, Fault fault, Damage&& damage) {
+  if constexpr (Policy::faulty) {
+    if (world.fault == fault) damage();
+  }
+}
 
 }  // namespace raywalk

@@ -30,7 +30,7 @@ Statistics RadiosityKernel<T>::run(const RayGenerator<T>& camera, const Shooting
     return run<Observer>(camera, shooting, block, put, forgetful);
   } else {
     if (world_.numerics == Numerics::naive)
-      return run_with.template operator()<Policy<T, Watcher, all_hit_effects, Numerics::naive>>();
+      return run_with.template operator()<Policy<T, Watcher, all_hit_effects, Numerics::naive, true>>();
     if constexpr (!Watcher::watches)
       if (world_.surface_maps.empty()) return run_with.template operator()<Policy<T, Watcher, no_maps>>();
     return run_with.template operator()<Policy<T, Watcher>>();

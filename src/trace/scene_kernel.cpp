@@ -35,7 +35,7 @@ Statistics run_procedure(const World<T>& world, const RayGenerator<T>& camera, c
       return run_procedure<Procedure, T, Observer>(world, camera, block, put, forgetful, own...);
     }
   } else if (world.numerics == Numerics::naive) {
-    return run_with.template operator()<Policy<T, Watcher, all_hit_effects, Numerics::naive>>();
+    return run_with.template operator()<Policy<T, Watcher, all_hit_effects, Numerics::naive, true>>();
   }
   if constexpr (!Watcher::watches) {
     if (!world.dipoles.empty()) return run_with.template operator()<Policy<T, Watcher>>();
@@ -68,9 +68,9 @@ template <class T>
 SceneKernel<T>::SceneKernel(const Scene& scene, const World<T>& world, const std::optional<PathSettings>& paths,
                             bool flat)
     : world_(world),
-      integrator_(paths         ? Integrator::path
-                  : world.fault ? Integrator::automatic
-                                : scene.render.integrator),
+      integrator_(paths                                                                 ? Integrator::path
+                  : world.fault && integrator_of(*world.fault) == Integrator::automatic ? Integrator::automatic
+                                                                                        : scene.render.integrator),
       kernel_(kernel_for(world)),
       settings_(paths.value_or(path_settings_of(scene))) {
   if (traits_of(integrator_).is_global && integrator_ != Integrator::radiosity)

@@ -111,7 +111,7 @@ auto SpaceBeamTracer<T, Watcher>::cut(Line line, int depth, const Beam& beam) ->
   }
   for (Part& part : parts) {
     part.number = rays_formed_++;
-    meet(part, beam);
+    meet(part, beam, middle_of(part.window));
     ++statistics_.formed(RayKind::beam);
     ++statistics_.ends(part.at ? Ending::hit : Ending::missed);
   }
@@ -181,20 +181,19 @@ void SpaceBeamTracer<T, Watcher>::divide_by_squares(std::vector<Part>& parts, co
   for (Part& piece : pieces) parts.push_back(std::move(piece));
 }
 
-/// The ray in the middle of a part, and what it meets: what all of the part sees.
+/// The ray at a place of a part, and what it meets. That in its middle is taken for all of the part.
 template <class T, class Watcher>
-void SpaceBeamTracer<T, Watcher>::meet(Part& part, const Beam& beam) {
-  const Vec2d middle = middle_of(part.window);
-  const Vec3d direction = beam.view.direction(middle);
+void SpaceBeamTracer<T, Watcher>::meet(Part& part, const Beam& beam, const Vec2d& place) {
+  const Vec3d direction = beam.view.direction(place);
   const double size = length(direction);
   double start = 0;
-  if (beam.mirror != nullptr) start = 1 / beam.view.nearness(beam.mirror->plane).at(middle);
+  if (beam.mirror != nullptr) start = 1 / beam.view.nearness(beam.mirror->plane).at(place);
   part.ray = {Vec3<T>(beam.view.eye + start * direction), Vec3<T>(direction / size), beam.departure,
               camera_.shutter_open()};
   if (part.face < 0) return;
   const BeamFace& face = faces_[part.face];
   // Towards the horizon it may be as far as a number says.
-  const double reached = 1 / std::max(part.nearness.at(middle), 1e-12);
+  const double reached = 1 / std::max(part.nearness.at(place), 1e-12);
   const Hit<T> hit{static_cast<T>((reached - start) * size), face.primitive, face.part};
   const detail::MiddleOfPart<T> ray{part.ray, part.number, beam.medium};
   detail::PatternOfPart<T> pattern{world_, part.has_mean};
@@ -354,6 +353,26 @@ Rgb<T> SpaceBeamTracer<T, Watcher>::follow_middle_ray(int depth, const MiddleRay
   return tracer_.radiance_along(ray.ray, depth + 1, ray.medium);
 }
 
+/// Of rays near the corners of a part, a sixteenth of the way from there to its middle, whose ray brought `followed`.
+template <class T, class Watcher>
+double SpaceBeamTracer<T, Watcher>::off_near_border(int depth, const Beam& beam, const Part& part,
+                                                    const Rgb<T>& followed) {
+  if (!sends(part, RayKind::reflect) && !sends(part, RayKind::refract)) return 0;
+  const Statistics counted = statistics_;
+  const Vec2d middle = middle_of(part.window);
+  double off = 0;
+  for (const Vec2d& corner : part.window) {
+    Part beside = part;
+    meet(beside, beam, corner + (middle - corner) / 16.0);
+    const Rgbd more(
+        detail::brought_by_rays(world_, tracer_, depth, *beside.at, [&](RayKind kind) { return sends(beside, kind); }) -
+        followed);
+    off = std::max({off, std::abs(more.x), std::abs(more.y), std::abs(more.z)});
+  }
+  statistics_ = counted;
+  return off;
+}
+
 /// A running mean: where all parts have one shade, it is that shade, whatever their areas. What a mirror shows is cut
 /// as it is seen there.
 template <class T, class Watcher>
@@ -373,9 +392,15 @@ void SpaceBeamTracer<T, Watcher>::add_part(Shades& shades, int depth, const Beam
   shades.area += area;
   if (shades.area > 0) shades.mean += (shade - shades.mean) * static_cast<T>(area / shades.area);
   note(Line::add_part, depth, [&] {
-    return PartAdded{part.number,       Rgbd(local),           Rgbd(curved + mirrored),
-                     Rgbd(refracted),   Rgbd(shade),           area / area_of(beam.window),
-                     Rgbd(shades.mean), &part == &parts.back()};
+    return PartAdded{part.number,
+                     Rgbd(local),
+                     Rgbd(curved + mirrored),
+                     Rgbd(refracted),
+                     Rgbd(shade),
+                     area / area_of(beam.window),
+                     Rgbd(shades.mean),
+                     &part == &parts.back(),
+                     off_near_border(depth, beam, part, curved + refracted)};
   });
 }
 

@@ -174,7 +174,7 @@ class SpaceBeamTracer {
   [[nodiscard]] static T share_of(const Part& part, const Beam& beam) {
     return static_cast<T>(area_of(part.window) / area_of(beam.window));
   }
-  void meet(Part& part, const Beam& beam);
+  void meet(Part& part, const Beam& beam, const Vec2d& place);
   /// As drawn: the two sides that are widest apart in the plan, or beside each other.
   [[nodiscard]] BeamArea drawn_area(const Beam& beam, const SeenFace& part) const;
   int call_shade_parts(Line line, int depth, const Beam& beam);
@@ -197,6 +197,7 @@ class SpaceBeamTracer {
   bool decide_curved_or_glass(int depth, const Part& part);
   std::optional<MiddleRay> form_middle_ray(int depth, const Part& part, const Beam& beam, RayKind kind);
   Rgb<T> follow_middle_ray(int depth, const MiddleRay& ray);
+  [[nodiscard]] double off_near_border(int depth, const Beam& beam, const Part& part, const Rgb<T>& followed);
   void add_part(Shades& shades, int depth, const Beam& beam, const std::vector<Part>& parts, const Part& part,
                 const Rgb<T>& local, std::optional<Shades>& reflected, const Rgb<T>& curved, const Rgb<T>& refracted);
   template <class Put>

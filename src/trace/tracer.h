@@ -251,14 +251,6 @@ class Tracer {
     if constexpr (Observer::watches) observer_.record(Event{line, depth, make()});
   }
 
-  /// The policy's hook for fault injection: lets the fault that the world names change what a statement has computed.
-  /// Without faults, `damage` is not compiled into the kernel.
-  template <class Damage>
-  void inject(Fault fault, Damage&& damage) const {
-    if constexpr (Policy::faulty) {
-      if (world_.fault == fault) damage();
-    }
-  }
   /// A copy of what a fault may change; without faults, a reference to it.
   template <class Value>
   using Faultable = std::conditional_t<Policy::faulty, Value, const Value&>;

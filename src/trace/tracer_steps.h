@@ -111,7 +111,7 @@ int Tracer<Policy>::call_shade(Line line, int depth, const TreeRay& ray, const N
   constexpr int unasked = 4;  // levels: a tree so small is soon done
   if (depth >= unasked) check_stop();
   int called = depth + 1;
-  inject(Fault::depth_not_counted, [&] {
+  inject<Policy>(world_, Fault::depth_not_counted, [&] {
     if (line == Line::shade_reflect) called = depth;
   });
   note(line, depth, [&] { return ShadeCalled{ray.number, !nearest, called, Rgbd(background_of(ray, nearest))}; });
@@ -152,7 +152,7 @@ inline auto Tracer<Policy>::form_shadow_ray(int depth, const ShadingPoint& at, c
                                             int sample) -> std::optional<Shadow> {
   // Towards a point light the direction is not normalised: the light is at t = 1.
   Vec3<T> to_light = light.direction_to(light_point(at, ray, light, sample), at.position);
-  inject(Fault::shadow_ray_misaimed, [&] {
+  inject<Policy>(world_, Fault::shadow_ray_misaimed, [&] {
     if (!light.is_distant) to_light += at.position;
   });
   const bool before =
@@ -171,7 +171,7 @@ inline auto Tracer<Policy>::form_shadow_ray(int depth, const ShadingPoint& at, c
                 Policy::effects.occlusion ? rays_formed_++ : 0};
   if constexpr (!Policy::effects.occlusion) return shadow;  // the way to the light, along which nothing is looked for
   if constexpr (Policy::effects.refraction) shadow.in.medium = medium_on_side(at, ray, false);
-  inject(Fault::epsilon_too_small, [&] { shadow.ray.origin = at.position; });
+  inject<Policy>(world_, Fault::epsilon_too_small, [&] { shadow.ray.origin = at.position; });
   ++statistics_.formed(RayKind::shadow);
   note(Line::form_shadow_ray, depth, [&] {
     RayFormed event{shadow.number,   ray.number,           RayKind::shadow, Vec3d(shadow.ray.origin),
@@ -214,7 +214,7 @@ inline void Tracer<Policy>::add_light(DirectLighting& direct, const ShadingPoint
   if (is_black(visible)) return add_unlit(direct, light);
   const T distance = light.distance(shadow.direction);
   T attenuation = light.attenuation(distance);
-  inject(Fault::attenuation_forgotten, [&] { attenuation = 1; });
+  inject<Policy>(world_, Fault::attenuation_forgotten, [&] { attenuation = 1; });
   Rgb<T> radiance = visible * light.strength;
   if (attenuation != 1) radiance *= 1 / attenuation;
   const Vec3<T> l = shadow.direction * (1 / distance);
@@ -265,7 +265,7 @@ bool Tracer<Policy>::decide_transparent(int depth, const ShadingPoint& at) {
 template <class Policy>
 auto Tracer<Policy>::form_reflect_ray(int depth, ShadedPoint& at, const TreeRay& ray) -> std::optional<TreeRay> {
   Vec3<T> direction = renormalize(reflect(ray.ray.direction, at.shading_normal));
-  inject(Fault::reflection_flipped, [&] {
+  inject<Policy>(world_, Fault::reflection_flipped, [&] {
     const Vec3<T>& incident = ray.ray.direction;
     direction = normalize(incident + 2 * dot(incident, at.shading_normal) * at.shading_normal);
   });
@@ -337,7 +337,7 @@ inline auto Tracer<Policy>::form_secondary_ray(Line line, int depth, const Shadi
   }
   TreeRay formed(spawn_ray<Ray>(world_, at.position, at.geometric_normal(), at.departure, direction, parent.ray.time),
                  kind, throughput, rays_formed_++);
-  inject(Fault::epsilon_wrong_side, [&] {
+  inject<Policy>(world_, Fault::epsilon_wrong_side, [&] {
     if (kind == RayKind::reflect) formed.ray.origin = at.position - (formed.ray.origin - at.position);
   });
   if constexpr (draws) formed.branch.path = child_path(parent.branch.path, static_cast<std::uint32_t>(kind));

@@ -309,3 +309,31 @@ TEST_CASE("a pixel of the picture is walked by beams, too, to the shade that it 
   scene.objects[0].motion = {{0, {0, 0, 0}}, {1, {1, 0, 0}}};
   CHECK_FALSE(record_pixel(scene, {16, 12}, 9, 6).of_beams());
 }
+
+TEST_CASE("in space, too, a part of a curved mirror says how far rays near its border are off") {
+  Scene scene = plain_scene(Integrator::beams);
+  Material mirror = shining(Rgbd(0.0));
+  mirror.reflection = Rgbd(0.9);
+  scene.background = Rgbd(0.0);
+  scene.camera.eye = {0, -6, 0};
+  scene.camera.look_at = {0, 0, 0};
+  scene.objects = {{"Mirror", Sphere<double>{{0, 0, 0}, 1}, mirror},
+                   {"Wall", Box<double>{{0.3, -30, -30}, {30, -12, 30}}, shining(Rgbd(1.0))}};
+  int alike = 0, differ = 0, flat = 0;
+  for (int column = 0; column < 16; ++column) {
+    const Timeline timeline = record_pixel(scene, {16, 12}, column, 6);
+    for (int i = 0; i < timeline.steps(); ++i) {
+      const auto* added = std::get_if<PartAdded>(&timeline.event(i).detail);
+      if (added == nullptr) continue;
+      CAPTURE(column, added->off);
+      const bool curved = max_component(added->reflect) > 0 || added->off > 0;
+      if (added->off == 0) (curved ? alike : flat) += 1;
+      if (added->off > 0) ++differ;
+      // Each ray sees the wall, or nothing.
+      CHECK((added->off == 0 || added->off == Approx(0.9)));
+    }
+  }
+  CHECK(alike > 0);
+  CHECK(differ > 0);
+  CHECK(flat > 0);
+}

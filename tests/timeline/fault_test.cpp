@@ -36,6 +36,17 @@ Scene scene_for(Fault fault) {
       return naive("shadows");
     case Fault::depth_not_counted:
       return naive("mirrors");
+    case Fault::cosine_counted_twice:
+    case Fault::emission_not_weighted:
+    case Fault::emitter_area_forgotten:
+      return naive("cornell");
+    case Fault::pi_forgotten: {
+      Scene scene = naive("caustic");
+      scene.render.photons.count = 5000;
+      return scene;
+    }
+    case Fault::reflectance_forgotten:
+      return naive("radiosity");
   }
   return {};
 }
@@ -125,10 +136,12 @@ TEST_CASE("rays whose DEPTH is not counted go deeper than the limit, and come to
   CHECK(walk(endless, Fault::depth_not_counted).steps() > walk(endless, {}).steps());
 }
 
-TEST_CASE("faults have names and lines of their own tracer") {
+TEST_CASE("faults have names, and lines of the procedure that they break") {
   for (const Fault fault : values_of<Fault>) {
     CHECK_FALSE(name_of(fault).empty());
-    CHECK(static_cast<int>(faulty_line(fault)) < line_count);
+    const Pseudocode& own = pseudocode_with(faulty_line(fault));
+    CHECK(&walk(scene_for(fault), fault).pseudocode() == &own);
+    CHECK((integrator_of(fault) == Integrator::automatic) == (&own == &pseudocodes.front()));
     for (const Fault other : values_of<Fault>) CHECK((other == fault) == (name_of(other) == name_of(fault)));
   }
 }

@@ -92,3 +92,21 @@ TEST_CASE("a kind of ray can be hidden, in the plan and in space; what is pointe
     }
   }
 }
+
+TEST_CASE("the lobe and the ring of the sky are explained where they are drawn") {
+  const auto explains = [](const State& state, std::string_view symbol) {
+    const Legend rows = legend(state);
+    return std::any_of(rows.signs.begin(), rows.signs.end(),
+                       [&](const LegendSign& sign) { return sign.symbol == symbol; });
+  };
+  State state = classic_state();
+  CHECK_FALSE(explains(state, "-<"));
+  CHECK_FALSE(explains(state, "( )"));
+  Scene scene = state.scene();
+  scene.sky = Sky{};
+  scene.objects.front().material.roughness = 0.3;
+  scene.objects.front().material.reflection = Rgbd(0.5);
+  const State other = state_of(scene);
+  CHECK(explains(other, "-<"));
+  CHECK(explains(other, "( )"));
+}

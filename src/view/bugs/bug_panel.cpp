@@ -1,5 +1,6 @@
 
 #include "view/bugs/bug_panel.h"
+#include "view/text/choice_text.h"
 #include "view/text/text.h"
 #include "view/walk/fault.h"
 
@@ -27,7 +28,7 @@ std::string_view duty_of(Line line) {
       "duty.if_transparent",  "duty.form_refract_ray", "duty.find_refract_intersect",    "duty.shade_refract",
       "duty.compute_rtnshade"};
   const auto number = static_cast<std::size_t>(line);
-  return number < duties.size() ? duties[number] : std::string_view();  // paths have no faults
+  return number < duties.size() ? duties[number] : std::string_view();
 }
 
 BugPanel bug_panel(const State& state) {
@@ -43,7 +44,12 @@ BugPanel bug_panel(const State& state) {
   if (!bugs.hunt) {
     panel.heading = say("bug.title");
     panel.said.push_back({{}, say("bug.intro")});
-    for (std::size_t i = 0; i < bugs.ends.size(); ++i) panel.rows.push_back({static_cast<int>(i) + 1, bugs.ends[i]});
+    for (std::size_t i = 0; i < bugs.ends.size(); ++i) {
+      BugRow row{static_cast<int>(i) + 1, bugs.ends[i], {}};
+      if (const Integrator its = integrator_of(values_of<Fault>[i]); its != Integrator::automatic)
+        row.of = text(its, language);
+      panel.rows.push_back(std::move(row));
+    }
     return panel;
   }
   const BugHunt& hunt = *bugs.hunt;
@@ -61,7 +67,10 @@ BugPanel bug_panel(const State& state) {
       panel.can_judge = hunt.marked.has_value();
       panel.can_give_up = true;
       if (!hunt.acquitted) return panel;
-      panel.verdict = say("bug.not_right", {{"duty", say(duty_of(*hunt.acquitted))}});
+      if (const std::string_view duty = duty_of(*hunt.acquitted); !duty.empty())
+        panel.verdict = say("bug.not_right", {{"duty", say(duty)}});
+      else
+        panel.verdict = say("bug.not_right_line", {{"line", line_text(state, *hunt.acquitted)}});
       panel.learnt.push_back({say("bug.hint"), know("hint")});
       return panel;
     case BugEnd::found:

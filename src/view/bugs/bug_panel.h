@@ -12,6 +12,7 @@ namespace raywalk {
 struct BugRow {
   int number = 1;
   BugEnd end = BugEnd::open;
+  std::string of{};  ///< whose procedure it breaks; empty: the tracer's
 };
 struct BugPassage {
   std::string heading, text;
@@ -32,7 +33,7 @@ struct BugPanel {
 [[nodiscard]] BugPanel bug_panel(const State& state);
 
 /// The id of the clause that states the purpose of a line of MAIN ALGORITHM or SHADE: "it aims from the hit at the
-/// light". Empty for FOLLOW PATH, which has no faults.
+/// light". Empty for other procedures.
 [[nodiscard]] std::string_view duty_of(Line line);
 
 /// The number of a surprise bug: one that is not found yet, else any. `draw`: any number.

@@ -31,8 +31,21 @@ std::string_view bug_scene(Fault fault) {
       return "shadows";
     case Fault::depth_not_counted:
       return "mirrors";
+    case Fault::cosine_counted_twice:
+    case Fault::emission_not_weighted:
+    case Fault::emitter_area_forgotten:
+      return "cornell";
+    case Fault::pi_forgotten:
+      return "caustic";
+    case Fault::reflectance_forgotten:
+      return "radiosity";
   }
   return {};
+}
+
+/// So that a walk begins at once, with the fault and without it.
+std::string_view fewer(Fault fault) {
+  return integrator_of(fault) == Integrator::photons ? "render.photons.count = 20000" : std::string_view();
 }
 
 /// The first pixel of the strip that the bug changes visibly, as index in the walk's pixels.
@@ -72,6 +85,7 @@ void action::HuntBug::apply(State& state) const {
   if (number < 1 || number > static_cast<int>(values_of<Fault>.size())) return;
   const Fault fault = values_of<Fault>[static_cast<std::size_t>(number - 1)];
   auto document = stage_scene(std::string(bug_scene(fault)), {}, state.lessons.scenes_folder);
+  if (document && !fewer(fault).empty()) document = changed_scene(*document, fewer(fault), {}, document->path);
   if (!document) return complain(state, document.error().text());
   std::shared_ptr<const State> before;
   if (state.bugs.hunt) {
@@ -104,7 +118,8 @@ void action::HuntBug::apply(State& state) const {
 }
 
 void action::MarkLine::apply(State& state) const {
-  if (!asks_for_line(state) || static_cast<int>(line) >= line_count) return;
+  if (!asks_for_line(state) || static_cast<int>(line) >= all_lines_count) return;
+  if (&pseudocode_with(line) != &state.walk.timeline->pseudocode()) return;
   if (!state.bugs.hunt) {
     state.lessons.guess.line = line;
     return;

@@ -3,6 +3,8 @@
 #include "view/text/shown.h"
 #include "view/text/text.h"
 
+#include <algorithm>
+
 namespace raywalk {
 
 Legend legend(const State& state) {
@@ -36,6 +38,13 @@ Legend legend(const State& state) {
     legend.signs.push_back({std::string(symbol(limit)), std::string(text(limit, state.appearance.language))});
   legend.signs.push_back({"-|", str(state, "legend.sign_stub")});
   legend.signs.push_back({"->", str(state, "legend.sign_normal")});
+  const Scene& scene = state.scene();
+  const auto has_lobe = [](const Object& object) {
+    return object.material.is_rough() || object.material.is_rough_diffuse();
+  };
+  if (std::any_of(scene.objects.begin(), scene.objects.end(), has_lobe))
+    legend.signs.push_back({"-<", str(state, "legend.sign_lobe")});
+  if (scene.sky) legend.signs.push_back({"( )", str(state, "legend.sign_ring")});
   return legend;
 }
 
