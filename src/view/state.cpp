@@ -38,8 +38,10 @@ const Camera& image_camera(const State& state) {
 
 void choose(const State& state, RenderChoices& choices) {
   if (state.walk.bug) {
+    // A fault of the tracer makes it the tracer's; of other procedures there is only what the scene itself asks for.
     const IntegratorTraits& traits = traits_of(choices.integrator);
-    if (traits.is_global || traits.has_width) choices.integrator = Integrator::automatic;
+    if (integrator_of(state.walk.bug->fault) == Integrator::automatic && (traits.is_global || traits.has_width))
+      choices.integrator = Integrator::automatic;
     choices.numerics = Numerics::naive;
     return;
   }

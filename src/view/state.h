@@ -60,6 +60,7 @@ struct State {
   LinkRoom link;
   InkRoom ink;
   SkyRoom sky;
+  LobeRoom lobe;
   PencilRoom pencil;
   PhotonRoom photons;
   RadiosityRoom radiosity;

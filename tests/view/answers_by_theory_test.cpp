@@ -89,10 +89,12 @@ constexpr std::array theory{
     Theory{"14-radiosity", "shadow", "2"},
     Theory{"14-radiosity", "less", "3"},
     Theory{"14-radiosity", "colour", "1"},
+    Theory{"14-radiosity", "bug", "Look up light of patches"},
     Theory{"15-photons", "spot", "2"},
     Theory{"15-photons", "glass", "2"},
     Theory{"15-photons", "circle", "59"},  // 60, without the one on the edge
     Theory{"15-photons", "caustic", "1"},
+    Theory{"15-photons", "bug", "Add light of photons"},
     Theory{"16-light-inside", "white", "2"},
     Theory{"16-light-inside", "in", "2"},     // 24 free paths through the middle: exp(-24)
     Theory{"16-light-inside", "tenth", "2"},  // Chandrasekhar: 1 - sqrt(0.1) H(1) = 0.415

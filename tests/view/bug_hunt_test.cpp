@@ -176,8 +176,8 @@ TEST_CASE("once it is known the bug can be mended and made again, and the other 
     update(state, action::ShowCure{});
     // Where rays go elsewhere, the others are drawn too, and it is said what they are. Where only numbers differ, there
     // is nothing to draw, and where only rays are too many, nothing before they are mended.
-    constexpr std::array only{Fault::attenuation_forgotten, Fault::cosine_counted_twice, Fault::emission_not_weighted,
-                              Fault::emitter_area_forgotten, Fault::pi_forgotten, Fault::reflectance_forgotten};
+    constexpr std::array only{Fault::attenuation_forgotten, Fault::emission_not_weighted, Fault::emitter_area_forgotten,
+                              Fault::pi_forgotten, Fault::reflectance_forgotten};
     const bool only_numbers = std::find(only.begin(), only.end(), state.walk.bug->fault) != only.end();
     const bool nothing = only_numbers || state.walk.bug->fault == Fault::depth_not_counted;
     CHECK(other_rays(state).empty() == nothing);

@@ -9,6 +9,7 @@
 #include "io/scene_file.h"
 #include "support/catch.h"
 #include "support/languages.h"
+#include "trace/map_images.h"
 #include "view/plan/painter.h"
 #include "view/plan/plan_geometry.h"
 #include "view/plan/plan_view.h"
@@ -149,6 +150,82 @@ TEST_CASE("the lobe of rough glass is on both sides, that of a rough matt surfac
     }
     CHECK(there >= away);
   }
+}
+
+TEST_CASE("a map makes the lobe what it makes of the surface there") {
+  Material plain;
+  plain.diffuse = plain.specular = plain.ambient = Rgbd(0.0);
+  plain.reflection = Rgbd(0.9);
+  plain.roughness = 0.2;
+  const auto curve_of = [](const Material& material) {
+    Scene scene = metals(Integrator::path).scene();
+    for (Object& each : scene.objects)
+      if (each.name == "Rough Gold") each.material = material;
+    State state = state_of(scene);
+    state.plan.viewport = {900, 620};
+    update(state, action::SetMode{Mode::trace});
+    update(state, action::Jump{hit_of(state, "Rough Gold")});
+    const auto curve = lobe(state);
+    REQUIRE(curve);
+    return curve->points;
+  };
+  // How many places of the curve lie at least half as far out as its farthest.
+  const auto wide = [](const std::vector<Vec2d>& curve) {
+    double farthest = 0, widest = 0;
+    Vec2d tip = curve[0];
+    for (const Vec2d& at : curve)
+      if (length(at - curve[0]) > farthest) farthest = length(at - curve[0]), tip = at;
+    for (const Vec2d& at : curve) {
+      const double far = length(at - curve[0]);
+      if (far >= farthest / 2)
+        widest =
+            std::max(widest, std::acos(std::clamp(dot(at - curve[0], tip - curve[0]) / (far * farthest), -1.0, 1.0)));
+    }
+    return widest;
+  };
+  const double alone = wide(curve_of(plain));
+  const auto mapped_to = [&](double level) {
+    Material mapped = plain;
+    mapped.roughness = 0.4;
+    ParameterMap map;
+    map.of = MappedParameter::roughness;
+    map.file = "even.png";
+    map.pixels = uniform(Rgbd(level));
+    mapped.maps = {map};
+    return wide(curve_of(mapped));
+  };
+  // 0.4 times a half is 0.2 again.
+  CHECK(mapped_to(0.5) == Approx(alone).epsilon(0.05));
+  CHECK(mapped_to(1) > 1.3 * alone);
+}
+
+TEST_CASE("rough glass inside of a body bends light as it does there") {
+  Material glass, water;
+  for (Material* each : {&glass, &water}) {
+    each->diffuse = each->specular = each->ambient = Rgbd(0.0);
+    each->transmission = Rgbd(1.0);
+    each->dielectric = true;
+  }
+  glass.ior = 1.5, glass.roughness = 0.1;
+  water.ior = 1.5;
+  const auto curve_at_ball = [&](bool in_water) {
+    Scene scene = metals(Integrator::path).scene();
+    scene.objects.clear();
+    scene.objects.push_back({"Ball", Sphere<double>{{0, 0.6, 0}, 1}, glass});
+    if (in_water) scene.objects.push_back({"Water", Sphere<double>{{0, 0, 0}, 100}, water});
+    scene.camera.eye = {-4, 0, 0};
+    scene.camera.look_at = {0, 0, 0};
+    State state = state_of(scene);
+    state.plan.viewport = {900, 620};
+    update(state, action::SetMode{Mode::trace});
+    const int at = hit_of(state, "Ball");
+    REQUIRE(at > 0);
+    update(state, action::Jump{at});
+    return lobe(state);
+  };
+  CHECK(curve_at_ball(false));
+  // Of the same index, it bends nothing: nothing is rough there.
+  CHECK_FALSE(curve_at_ball(true));
 }
 
 TEST_CASE("there is no lobe where nothing is reflected, nor while the scene is changed") {

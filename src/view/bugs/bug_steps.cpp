@@ -43,9 +43,15 @@ std::string_view bug_scene(Fault fault) {
   return {};
 }
 
-/// So that a walk begins at once, with the fault and without it.
-std::string_view fewer(Fault fault) {
-  return integrator_of(fault) == Integrator::photons ? "render.photons.count = 20000" : std::string_view();
+/// What is changed of it.
+std::string_view changes_for(Fault fault) {
+  // So that a walk begins at once, with the fault and without it.
+  if (integrator_of(fault) == Integrator::photons) return "render.photons.count = 20000";
+  // A large panel, which rays meet by chance now and then.
+  if (fault == Fault::emission_not_weighted)
+    return "Lamp.corners = [[0.3, -1.2, 2.9], [0.3, 1.2, 2.9], [2.7, 1.2, 2.9], [2.7, -1.2, 2.9]]\n"
+           "Lamp.material.emission = [2.4, 2.2, 1.9]";
+  return {};
 }
 
 /// The first pixel of the strip that the bug changes visibly, as index in the walk's pixels.
@@ -85,7 +91,8 @@ void action::HuntBug::apply(State& state) const {
   if (number < 1 || number > static_cast<int>(values_of<Fault>.size())) return;
   const Fault fault = values_of<Fault>[static_cast<std::size_t>(number - 1)];
   auto document = stage_scene(std::string(bug_scene(fault)), {}, state.lessons.scenes_folder);
-  if (document && !fewer(fault).empty()) document = changed_scene(*document, fewer(fault), {}, document->path);
+  if (document && !changes_for(fault).empty())
+    document = changed_scene(*document, changes_for(fault), {}, document->path);
   if (!document) return complain(state, document.error().text());
   std::shared_ptr<const State> before;
   if (state.bugs.hunt) {

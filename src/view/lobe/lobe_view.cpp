@@ -1,9 +1,9 @@
-#include "trace/bsdf.h"
-#include "trace/rough_dielectric.h"
+#include "inspect/scattering.h"
 #include "view/plan/painter.h"
 #include "view/plan/plan_view.h"
 #include "view/state.h"
 #include "view/text/text.h"
+#include "view/walk/fault.h"
 #include "view/walk/walk.h"
 
 #include <algorithm>
@@ -16,54 +16,17 @@ namespace raywalk {
 
 namespace {
 
-/// The ray at whose hit the walk is: the current one, or the one that it was formed by. Null where there is none.
-const RayRecord* ray_at_hit(const State& state) {
+/// The ray at whose hit the walk is: the current one, or the one that it was formed by; -1 where there is none.
+int ray_at_hit(const State& state) {
   const Timeline& timeline = *state.walk.timeline;
   const int position = state.walk.position;
   for (int i = timeline.current_ray(position); i >= 0;) {
     const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(i)];
-    if (ray.formed && ray.kind != RayKind::shadow && ray.object >= 0 && ray.found_at <= position) return &ray;
+    if (ray.formed && ray.kind != RayKind::shadow && ray.object >= 0 && ray.found_at <= position) return i;
     i = ray.parent;
   }
-  return nullptr;
+  return -1;
 }
-
-/// How the surface there scatters.
-struct LobeAt {
-  Microsurface<double> surface;
-  std::shared_ptr<const RoughDielectric<double>> glass;
-  Refraction<double> bent{};  ///< at the surface as a whole, if it is glass
-  Bsdf<double> bsdf;
-
-  LobeAt(const RayRecord& ray, const Material& material) : surface(material) {
-    bsdf.incident = normalize(ray.direction);
-    const bool inside = dot(ray.normal, ray.direction) > 0;
-    bsdf.shading_normal = inside ? -ray.normal : ray.normal;
-    bsdf.geometric_normal = bsdf.shading_normal;
-    bsdf.diffuse = material.diffuse;
-    bsdf.shininess = material.shininess;
-    bsdf.highlight = highlight_scale(material.shininess) * material.specular;
-    if (surface.matt) bsdf.matt = &*surface.matt;
-    if (surface.facets) {
-      bsdf.mirror = material.reflection;
-      bsdf.facets = &surface;
-    }
-    if (surface.glass > 0 && RoughDielectric<double>::bends(1, material.ior)) {
-      glass = rough_dielectric_of(surface.glass, 1.0, material.ior);
-      const double n1 = inside ? material.ior : 1, n2 = inside ? 1 : material.ior;
-      bent = refraction_at(bsdf.incident, bsdf.shading_normal, n1, n2);
-      bsdf.take_glass(*glass, n1, bent.cos_in, material.reflection + material.transmission);
-    }
-    bsdf.prepare(Rgbd(1.0));
-  }
-  LobeAt(const LobeAt&) = delete;
-  LobeAt& operator=(const LobeAt&) = delete;
-  ~LobeAt() = default;
-  /// The direction of the refracted ray of smooth glass.
-  [[nodiscard]] std::optional<Vec3d> refracted() const {
-    return glass ? refract(bsdf.incident, bsdf.shading_normal, bent) : std::nullopt;
-  }
-};
 
 /// Directions about the normal, up to `reach` on both sides, closest together about the peaks: where small facets send
 /// light, by the tangent of the angle to the normal's half vector. `normal`, `peaks`: angles in the plan.
@@ -84,18 +47,35 @@ std::vector<double> angles(double normal, double reach, const std::vector<double
 
 }  // namespace
 
-void LobeRoom::draw_in_plan(Painter& painter) {
-  const State& state = painter.state;
-  if (state.walk.mode == Mode::move) return;
-  const RayRecord* ray = ray_at_hit(state);
-  if (ray == nullptr) return;
-  const Material& material = state.scene().objects[static_cast<std::size_t>(ray->object)].material;
-  if (!material.is_rough() && !material.is_rough_diffuse()) return;
-  if (material.is_mapped()) return;  // the surface is another one from point to point
+void LobeRoom::follow(State& state, const Before& /*before*/) {
+  LobeRoom& room = state.lobe;
+  const std::shared_ptr<const Timeline>& timeline = state.walk.timeline;
+  if (room.of == timeline && room.position == state.walk.position) return;
+  room.of = timeline, room.position = state.walk.position;
+  room.ray = timeline == nullptr ? -1 : ray_at_hit(state);
+  room.seen.reset();
+  if (room.ray < 0) return;
+  const RayRecord& ray = timeline->rays()[static_cast<std::size_t>(room.ray)];
+  const Material& material = state.scene().objects[static_cast<std::size_t>(ray.object)].material;
+  if (!material.is_rough() && !material.is_rough_diffuse() && !material.is_mapped()) return;
   const auto walked = walked_scene(state);
   if (!effects_of(*walked, walked->render.samples).used(Effect::microfacets)) return;
-  const LobeAt lobe(*ray, material);
-  const Bsdf<double>& bsdf = lobe.bsdf;
+  const auto world = state.document.worlds->of<double>(*walked, AcceleratorKind::automatic, fault_at_work(state));
+  const auto found = scattering_at(*world, *walked, *timeline, room.ray);
+  if (!found || (!found->bsdf.by_facets() && found->bsdf.matt == nullptr)) return;
+  room.world = world;
+  room.seen = std::make_shared<const Scattering>(*found);
+}
+
+void LobeRoom::draw_in_plan(Painter& painter) {
+  const State& state = painter.state;
+  const LobeRoom& room = state.lobe;
+  if (state.walk.mode == Mode::move || room.seen == nullptr || room.of != state.walk.timeline ||
+      room.position != state.walk.position)
+    return;
+  const RayRecord& ray = room.of->rays()[static_cast<std::size_t>(room.ray)];
+  const auto walked = walked_scene(state);
+  const Bsdf<double>& bsdf = room.seen->bsdf;
   const Vec3d& normal = bsdf.shading_normal;
   constexpr double upright = 0.2;  // what lies nearly in the plan's plane is hardly cut by it
   if (std::hypot(normal.x, normal.y) < upright) return;
@@ -107,22 +87,22 @@ void LobeRoom::draw_in_plan(Painter& painter) {
   const auto add_peak = [&](const Vec3d& at) {
     peaks.push_back(middle + std::remainder(std::atan2(at.y, at.x) - middle, 2 * half_turn));
   };
-  if (material.is_rough()) add_peak(reflect(bsdf.incident, normal));
-  if (const auto bent = lobe.refracted()) add_peak(*bent);
+  if (bsdf.by_facets()) add_peak(reflect(bsdf.incident, normal));
+  if (room.seen->refracted) add_peak(*room.seen->refracted);
   struct Sent {
     Vec2d along;
     double much;
   };
   std::vector<Sent> curve;
   Sent most{Vec2d(0.0), 0};
-  const double reach_of_turn = lobe.glass && is_sampled ? half_turn : half_turn / 2;
-  for (const double angle : angles(middle, reach_of_turn, peaks, material.roughness)) {
+  const double reach_of_turn = bsdf.glass != nullptr && is_sampled ? half_turn : half_turn / 2;
+  for (const double angle : angles(middle, reach_of_turn, peaks, room.seen->roughness)) {
     const Vec2d along(std::cos(angle), std::sin(angle));
     curve.push_back({along, max_component(bsdf.evaluate(Vec3d(along, 0)).value)});
     if (curve.back().much > most.much) most = curve.back();
   }
   if (!(most.much > 0)) return;
-  const Vec2d hit = painter.pixels(Vec2d(ray->end.x, ray->end.y));
+  const Vec2d hit = painter.pixels(Vec2d(ray.end.x, ray.end.y));
   // Within the ring or the pane, and small rather than cut.
   constexpr double of_the_room = 0.8, least = 12;
   double reach = 70 * painter.sizes.unit;
