@@ -376,6 +376,7 @@ struct LightLookedUp {
 /// that meets nothing ends far outside.
 struct BeamArea {
   std::vector<Vec3d> starts, ends;
+  std::vector<Vec3d> corner_starts{}, corner_ends{};  ///< of a beam in space: the rays through its window's corners
 };
 
 /// form_beam, form_mirrored_beam, form_cone and its like.

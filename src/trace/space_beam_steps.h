@@ -220,15 +220,17 @@ BeamArea SpaceBeamTracer<T, Watcher>::drawn_area(const Beam& beam, const SeenFac
   const auto [left, right] = std::minmax_element(part.window.begin(), part.window.end(),
                                                  [&](const Vec2d& a, const Vec2d& b) { return off(a) < off(b); });
   BeamArea area;
-  for (const Vec2d& place : {*left, *right}) {
+  const auto add = [&](const Vec2d& place, std::vector<Vec3d>& starts, std::vector<Vec3d>& ends) {
     const Vec3d direction = beam.view.direction(place);
     const double reach = far_ / length(direction);
     const auto reached = [&](double nearness) { return nearness > 0 ? std::min(1 / nearness, reach) : reach; };
     const double start = beam.mirror == nullptr ? 0 : reached(beam.view.nearness(beam.mirror->plane).at(place));
     const double end = part.face < 0 ? start + reach : reached(part.nearness.at(place));
-    area.starts.push_back(beam.view.eye + start * direction);
-    area.ends.push_back(beam.view.eye + end * direction);
-  }
+    starts.push_back(beam.view.eye + start * direction);
+    ends.push_back(beam.view.eye + end * direction);
+  };
+  for (const Vec2d& place : {*left, *right}) add(place, area.starts, area.ends);
+  for (const Vec2d& place : part.window) add(place, area.corner_starts, area.corner_ends);
   return area;
 }
 

@@ -175,7 +175,7 @@ class SpaceBeamTracer {
     return static_cast<T>(area_of(part.window) / area_of(beam.window));
   }
   void meet(Part& part, const Beam& beam, const Vec2d& place);
-  /// As drawn: the two sides that are widest apart in the plan, or beside each other.
+  /// As drawn: the two sides that are widest apart in the plan, or beside each other, and all corners.
   [[nodiscard]] BeamArea drawn_area(const Beam& beam, const SeenFace& part) const;
   int call_shade_parts(Line line, int depth, const Beam& beam);
   void begin(int depth, const Beam& beam, const std::vector<Part>& parts, const Part& part);

@@ -9,6 +9,7 @@
 #include "support/catch.h"
 #include "view/legend/legend.h"
 #include "view/plan/plan_geometry.h"
+#include "view/space/lines_view.h"
 #include "view/text/text.h"
 #include "view/tree/tree_panel.h"
 #include "view/walk/code_panel.h"
@@ -143,4 +144,38 @@ TEST_CASE("a step of beams is drawn within 16 ms") {
 #if defined(__OPTIMIZE__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
   CHECK(best < 16);
 #endif
+}
+
+TEST_CASE("in space a beam is a pyramid, and once it is cut each part stands on the face that it sees") {
+  State state = beam_state();
+  update(state, action::WalkPixel{10, 10, {24, 18}});
+  REQUIRE(state.walk.timeline->of_beams());
+  const Timeline& timeline = *state.walk.timeline;
+  const Viewport pane{900, 600};
+  const auto drawn = [&] {
+    struct Drawn {
+      std::vector<PolygonItem> faces;
+      int edges = 0;
+    } all;
+    for (const DisplayItem& item : lines_view(state, pane, Vec2d(0))) {
+      if (item.target.kind != TargetKind::ray) continue;
+      if (timeline.rays()[static_cast<std::size_t>(item.target.index)].kind != RayKind::beam) continue;
+      if (const auto* polygon = std::get_if<PolygonItem>(&item.shape)) all.faces.push_back(*polygon);
+      all.edges += std::holds_alternative<LineItem>(item.shape);
+    }
+    return all;
+  };
+  const int cut = position_after<BeamCut>(timeline);
+  REQUIRE(cut > 0);
+  update(state, action::Jump{cut - 1});
+  CHECK(drawn().faces.empty());
+  CHECK(drawn().edges == 4);
+  update(state, action::Jump{cut});
+  const auto& made = std::get<BeamCut>(timeline.event(cut - 1).detail);
+  std::size_t parts = 0, corners = 0;
+  for (const BeamPiece& piece : made.pieces) parts += piece.object >= 0, corners += piece.area.corner_ends.size();
+  CHECK(parts > 1);
+  CHECK(drawn().faces.size() == parts);
+  CHECK(drawn().edges == static_cast<int>(corners));
+  for (const PolygonItem& face : drawn().faces) CHECK(face.fill);
 }

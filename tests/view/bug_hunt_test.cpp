@@ -186,7 +186,9 @@ TEST_CASE("once it is known the bug can be mended and made again, and the other 
     update(state, action::MendBug{true});
     update(state,
            action::Jump{state.walk.timeline->pixels()[static_cast<std::size_t>(state.bugs.hunt->first_pixel)].done_at});
-    CHECK(other_rays(state).empty() == only_numbers);
+    // A path that goes on where the bug ends it has no other rays once it is whole.
+    const bool is_shorter = state.walk.bug->fault == Fault::cosine_counted_twice;
+    CHECK(other_rays(state).empty() == (only_numbers || is_shorter));
     CHECK(shades(*state.walk.timeline) == whole);
     CHECK(shades(*state.walk.bug->other) == broken);
     CHECK_FALSE(fault_at_work(state));

@@ -21,7 +21,7 @@ void each_ray(const State& state, const auto& visit) {
   const auto rays = state.walk.timeline->rays_at(shown.position);
   for (std::size_t i = 0; i < rays.size(); ++i) {
     const RayRecord& ray = rays[i];
-    if (!ray.formed || ray.found_at > shown.position) continue;
+    if (!ray.formed || ray.beam >= 0 || ray.found_at > shown.position) continue;
     if (moving ? state.legend.shows(ray.kind) : prominence_of(state, shown, static_cast<int>(i)).has_value())
       visit(ray);
   }

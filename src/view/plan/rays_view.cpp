@@ -167,7 +167,6 @@ RaysShown rays_shown(const State& state) {
 std::optional<Prominence> prominence_of(const State& state, const RaysShown& shown, int index) {
   const RayRecord& ray = state.walk.timeline->rays()[static_cast<std::size_t>(index)];
   if (ray.pixel < shown.first_pixel || !state.legend.shows(ray.kind)) return std::nullopt;
-  if (ray.beam >= 0) return std::nullopt;  // an area (beams_view.cpp)
   if (index == shown.current) return Prominence::current;
   if (ray.pixel == shown.pixel) return Prominence::of_pixel;
   // A light that cannot reach the surface is not a limit: its stub is shown only with its pixel.
@@ -190,6 +189,7 @@ void draw_rays(Painter& painter, const RaysShown& shown) {
   const auto count = static_cast<int>(timeline.rays_at(shown.position).size());
   const auto draw_all = [&](auto prominent) {
     for (int index = 0; index < count; ++index) {
+      if (timeline.rays()[static_cast<std::size_t>(index)].beam >= 0) continue;  // an area (beams_view.cpp)
       const std::optional<Prominence> prominence = prominence_of(state, shown, index);
       if (prominence && !is_lit(state, index) && prominent(*prominence))
         draw_ray(painter, shown, index, {*prominence, false});

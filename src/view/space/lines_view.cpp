@@ -201,9 +201,33 @@ class Lines {
     }
   }
 
+  /// A beam in space, with a line to each of its corners, until it is cut; then its parts, each with what it sees of a
+  /// face in that body's colour. Of cones and of beams in the plan only the plan says more than their shadow rays do.
+  void draw_beam(int index, const RayRecord& ray, const RayLook& look) {
+    const Timeline& timeline = *painter_.state.walk.timeline;
+    const BeamRecord& beam = timeline.beams()[static_cast<std::size_t>(ray.beam)];
+    const bool is_part = timeline.part_of(index) == index;
+    if (!is_part && ray.found_at <= painter_.state.walk.position) return;
+    const Target target{TargetKind::ray, index};
+    const std::vector<Vec3d>&starts = beam.area.corner_starts, &ends = beam.area.corner_ends;
+    Stroke stroke = ray_stroke(painter_, ray, look);
+    if (is_part && ray.object >= 0) {
+      const bool strong = look.hovered || look.prominence == Prominence::current;
+      PolygonItem seen{{}, body_colour(scene_, scene_.objects[static_cast<std::size_t>(ray.object)].material), stroke};
+      seen.fill->a = strong ? 170 : 90;
+      for (const Vec3d& end : ends)
+        if (const auto at = seen_.point(end)) seen.points.push_back(*at);
+      if (seen.points.size() == ends.size()) painter_.add(std::move(seen), target);
+    }
+    stroke.width = std::min(stroke.width, 0.9 * painter_.sizes.unit);
+    stroke.colour.a = static_cast<std::uint8_t>(stroke.colour.a * 0.6);
+    for (std::size_t i = 0; i < ends.size(); ++i) line(starts[i], ends[i], stroke, target);
+  }
+
   void draw_ray(int index, const RayLook& look) {
     const State& state = painter_.state;
     const RayRecord& ray = state.walk.timeline->rays()[static_cast<std::size_t>(index)];
+    if (ray.beam >= 0) return draw_beam(index, ray, look);
     const Target target{TargetKind::ray, index};
     const Stroke stroke = ray_stroke(painter_, ray, look);
     const bool known = ray.found_at <= state.walk.position;
