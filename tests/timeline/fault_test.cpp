@@ -64,7 +64,8 @@ Timeline walk(const Scene& scene, std::optional<Fault> fault, Precision precisio
 bool same_picture(const Image& a, const Image& b) { return a.pixels == b.pixels; }
 
 Image picture(const Scene& scene, std::optional<Fault> fault, Precision precision) {
-  RenderSettings settings{ImageSize{63, 47}, {}, precision};
+  const bool is_global = traits_of(scene.render.integrator).is_global;
+  RenderSettings settings{is_global ? ImageSize{15, 11} : ImageSize{63, 47}, {}, precision};
   settings.fault = fault;
   return render(scene, settings).value().image();
 }
