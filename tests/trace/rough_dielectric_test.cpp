@@ -74,7 +74,7 @@ TEST_CASE("clear rough glass is not to be seen in even light, from both sides, h
   std::size_t number = 0;
   for (const double alpha : {0.001, 0.05, 0.1, 0.3, 1.0})
     for (const double ior : {1.5, 2.4}) {
-      if (left_out(number++, 5)) continue;
+      if (left_out(number++, 10)) continue;
       const Glass& glass = glass_of(alpha, ior);
       for (const Side side : both_sides)
         for (const double cos : {1.0, 0.9, 0.75, 0.6, 0.3, 0.1, 0.02}) {
@@ -88,6 +88,7 @@ TEST_CASE("clear rough glass is not to be seen in even light, from both sides, h
 
 TEST_CASE("a path's surface of rough glass gives all light back, by the lobes that it draws") {
   for (const double alpha : {0.1, 0.6}) {
+    if (left_out(alpha > 0.5, 2)) continue;
     const Glass& glass = glass_of(alpha, 1.5);
     for (const Side side : both_sides)
       for (const double cos : {0.95, 0.5, 0.1}) {
