@@ -1,6 +1,7 @@
 #pragma once
 // What the statements of trace/cones.h do, but for lights (trace/cone_light_steps.h). Included by it alone.
 
+#include "math/elementary.h"
 #include "trace/cones.h"
 #include "trace/part_steps.h"
 #include "trace/pattern_filter.h"
@@ -152,15 +153,21 @@ void ConeTracer<T, Watcher, with_maps>::meet(Part& part, const Cone& cone) {
     texture(part.ambient, surface, world_.accelerator.primitives(), hit.primitive, point, hit.part, part.ray.time);
 }
 
-/// As drawn: two sides of a part, or of all of a cone, in the plan or beside the axis.
+/// As drawn: two sides of a part, or of all of a cone, in the plan or beside the axis; in space its rim, too.
 template <class T, class Watcher, bool with_maps>
 BeamArea ConeTracer<T, Watcher, with_maps>::area_of(const RayCone& cone, const ConePart& part) const {
   const double t = part.body < 0 ? far_ : part.t;
   BeamArea area;
-  for (const double side : {1.0, -1.0}) {
-    const Vec2d place = part.place + Vec2d(side * part.size, 0);
-    area.starts.push_back(cone.start(place));
-    area.ends.push_back(cone.start(place) + t * cone.direction(place));
+  const auto add = [&](const Vec2d& side, std::vector<Vec3d>& starts, std::vector<Vec3d>& ends) {
+    const Vec2d place = part.place + part.size * side;
+    starts.push_back(cone.start(place));
+    ends.push_back(cone.start(place) + t * cone.direction(place));
+  };
+  for (const double side : {1.0, -1.0}) add({side, 0}, area.starts, area.ends);
+  constexpr int corners = 24;
+  for (int i = 0; i < corners && !flat_; ++i) {
+    const auto [sine, cosine] = portable::sin_cos(2 * std::numbers::pi * i / corners);
+    add({cosine, sine}, area.corner_starts, area.corner_ends);
   }
   return area;
 }

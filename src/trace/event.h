@@ -376,7 +376,8 @@ struct LightLookedUp {
 /// that meets nothing ends far outside.
 struct BeamArea {
   std::vector<Vec3d> starts, ends;
-  std::vector<Vec3d> corner_starts{}, corner_ends{};  ///< of a beam in space: the rays through its window's corners
+  std::vector<Vec3d> corner_starts{},
+      corner_ends{};  ///< in space: the rays through the corners of a beam's window, on a cone's rim
 };
 
 /// form_beam, form_mirrored_beam, form_cone and its like.

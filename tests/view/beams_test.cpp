@@ -179,3 +179,26 @@ TEST_CASE("in space a beam is a pyramid, and once it is cut each part stands on 
   CHECK(drawn().edges == static_cast<int>(corners));
   for (const PolygonItem& face : drawn().faces) CHECK(face.fill);
 }
+
+TEST_CASE("in space a cone has a round rim, and so has what each thing covers of it; of a strip the plan has all") {
+  const auto read = read_scene(RAYWALK_SOURCE_DIR "/scenes/cones.toml");
+  REQUIRE(read);
+  State state = state_of(read->scene);
+  update(state, action::SetMode{Mode::trace});
+  const Viewport pane{900, 600};
+  const auto faces = [&] {
+    std::vector<PolygonItem> found;
+    for (const DisplayItem& item : lines_view(state, pane, Vec2d(0)))
+      if (const auto* polygon = std::get_if<PolygonItem>(&item.shape);
+          polygon != nullptr && item.target.kind == TargetKind::ray)
+        found.push_back(*polygon);
+    return found;
+  };
+  update(state, action::Jump{state.walk.timeline->steps()});
+  CHECK(faces().empty());
+  update(state, action::WalkPixel{12, 14, {24, 18}});
+  REQUIRE(state.walk.timeline->of_cones());
+  update(state, action::Jump{position_after<BeamCut>(*state.walk.timeline)});
+  REQUIRE_FALSE(faces().empty());
+  for (const PolygonItem& face : faces()) CHECK(face.points.size() == 24);
+}

@@ -202,12 +202,12 @@ class Lines {
   }
 
   /// A beam in space, with a line to each of its corners, until it is cut; then its parts, each with what it sees of a
-  /// face in that body's colour. Of cones and of beams in the plan only the plan says more than their shadow rays do.
+  /// face in that body's colour; of cones, as round as they are there. Those of a strip are drawn in the plan.
   void draw_beam(int index, const RayRecord& ray, const RayLook& look) {
     const Timeline& timeline = *painter_.state.walk.timeline;
     const BeamRecord& beam = timeline.beams()[static_cast<std::size_t>(ray.beam)];
     const bool is_part = timeline.part_of(index) == index;
-    if (!is_part && ray.found_at <= painter_.state.walk.position) return;
+    if (beam.area.corner_ends.empty() || (!is_part && ray.found_at <= painter_.state.walk.position)) return;
     const Target target{TargetKind::ray, index};
     const std::vector<Vec3d>&starts = beam.area.corner_starts, &ends = beam.area.corner_ends;
     Stroke stroke = ray_stroke(painter_, ray, look);
@@ -221,7 +221,9 @@ class Lines {
     }
     stroke.width = std::min(stroke.width, 0.9 * painter_.sizes.unit);
     stroke.colour.a = static_cast<std::uint8_t>(stroke.colour.a * 0.6);
-    for (std::size_t i = 0; i < ends.size(); ++i) line(starts[i], ends[i], stroke, target);
+    // Of a cone's rim, a few.
+    const std::size_t every = timeline.of_cones() ? std::max<std::size_t>(ends.size() / 4, 1) : 1;
+    for (std::size_t i = 0; i < ends.size(); i += every) line(starts[i], ends[i], stroke, target);
   }
 
   void draw_ray(int index, const RayLook& look) {
