@@ -185,7 +185,7 @@ Rgbd BeamTracer<Watcher>::find_intersection(int depth, const Part& part, const S
   const std::optional<Rgbd> transmittance =
       world_.occludes
           ? shadow_transmittance(world_, shadow.ray, t_max, statistics_.tests, filters_met_, {}, shadow.medium)
-          : std::optional(Rgbd(1.0));
+          : std::optional(Rgbd(shadow.share));
   ++statistics_.ends(transmittance ? Ending::reached_light : Ending::blocked);
   note(Line::beam_find_intersection, depth, [&] {
     const auto blocker = transmittance ? std::nullopt : first_blocker(world_, shadow.ray, t_max);

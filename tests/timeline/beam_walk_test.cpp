@@ -264,13 +264,17 @@ TEST_CASE("a light's width behind an edge and behind a circle is seen as closed 
 TEST_CASE("a light that sinks into the plane of a surface lights it by what lies before it") {
   // Along y from -1 to 2, and the wall is seen from below y = 0.
   const RectangleLight post{{4, -1, -1}, {0, 3, 0}, {0, 0, 2}, 4, {}};
-  const Scene scene = penumbra(Box<double>{{-30, -3, -1}, {-29, -2.9, 1}}, post);
-  const Timeline timeline = record_strip(scene);
-  const auto found = uncovered_along(timeline);
-  CHECK(found.size() > 3);
-  for (const auto& [x, seen] : found) CHECK(seen == Approx(1.0 / 3).epsilon(1e-12));
-  for (const RayRecord& ray : timeline.rays())
-    if (ray.kind == RayKind::shadow && ray.formed) CHECK(ray.direction.y == Approx(-0.5 - ray.origin.y).epsilon(1e-9));
+  Scene scene = penumbra(Box<double>{{-30, -3, -1}, {-29, -2.9, 1}}, post);
+  for (const bool shadows : {true, false}) {
+    scene.render.switches.shadows = shadows;
+    const Timeline timeline = record_strip(scene);
+    const auto found = uncovered_along(timeline);
+    CHECK(found.size() > 3);
+    for (const auto& [x, seen] : found) CHECK(seen == Approx(1.0 / 3).epsilon(1e-12));
+    for (const RayRecord& ray : timeline.rays())
+      if (ray.kind == RayKind::shadow && ray.formed)
+        CHECK(ray.direction.y == Approx(-0.5 - ray.origin.y).epsilon(1e-9));
+  }
 }
 
 TEST_CASE("of a light with an extent the walk says how much is uncovered, and draws its width") {
