@@ -51,8 +51,11 @@ Scene scene_for(Fault fault) {
       scene.render.photons.count = 5000;
       return scene;
     }
-    case Fault::reflectance_forgotten:
-      return naive("radiosity");
+    case Fault::reflectance_forgotten: {
+      Scene scene = naive("radiosity");
+      scene.render.radiosity.patch = 2;
+      return scene;
+    }
   }
   return {};
 }
