@@ -13,8 +13,8 @@ struct CutScene {
 struct CutSettings {
   double size = infinity<double>;  ///< the longest side of a patch
   int most = Patches::most;
-  bool flat = false;               ///< in the plane
-  int least_sides = 16;            ///< of what stands for a circle
+  bool flat = false;     ///< in the plane
+  int least_sides = 16;  ///< of what stands for a circle
 };
 [[nodiscard]] CutScene cut_into_patches(const World<double>& world, const CutSettings& settings, const Stop& stop);
 /// The largest side of the box about all that is bounded; 1 where nothing is.
