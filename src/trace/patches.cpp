@@ -118,8 +118,7 @@ std::optional<Error> why_no_patches(const Scene& scene, const Stop& stop) {
   if (error) return error;
   const World<double> world(scene, AcceleratorKind::none, std::nullopt, BuildOptions{stop});
   const double size = scene.render.radiosity.patch.value_or(Patches::share_of_extent * extent_of(world));
-  if (static_cast<int>(cut_into_patches(world, {.size = size}, stop).patches.size()) >
-      Patches::most)
+  if (static_cast<int>(cut_into_patches(world, {.size = size}, stop).patches.size()) > Patches::most)
     error = Error{
         "", 0, 0,
         "radiosity would cut this scene into more than " + std::to_string(Patches::most) +
