@@ -26,13 +26,10 @@ double curvature_in_plan(const World<double>& world, const SurfaceHit<double>& s
 std::vector<PencilStage> pencil_of(const World<double>& world, const Timeline& timeline, int ray) {
   const auto record = [&](int index) -> const RayRecord& { return timeline.rays()[static_cast<std::size_t>(index)]; };
   if (timeline.has_width() || timeline.of_radiosity()) return {};
-  std::vector<int> way;
-  for (int each = ray; each >= 0; each = record(each).parent) way.push_back(each);
-  std::reverse(way.begin(), way.end());
   std::vector<PencilStage> stages;
   Departure departure{};
   std::optional<SurfaceHit<double>> left;
-  for (const int index : way) {
+  for (const int index : way_of(timeline, ray)) {
     const RayRecord& own = record(index);
     const double size = length(own.direction);
     const bool in_plan = own.origin.z == 0 && own.direction.z == 0 && size > 0;

@@ -6,6 +6,7 @@
 #include "trace/spawn_ray.h"
 #include "trace/statistics.h"
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -40,6 +41,14 @@ template <class T, class AnyRay>
       *hit, world.accelerator.primitives().surface_at(hit->primitive, ray, Intersection<T>{hit->t, hit->part})};
 }
 
+/// The numbers of the rays that led from EYE to a ray, first ray first, and its own.
+[[nodiscard]] inline std::vector<int> way_of(const Timeline& timeline, int ray) {
+  std::vector<int> way;
+  for (int each = ray; each >= 0; each = timeline.rays()[static_cast<std::size_t>(each)].parent) way.push_back(each);
+  std::reverse(way.begin(), way.end());
+  return way;
+}
+
 /// Ray number `ray` of the recording, retraced from the eye through its ancestors; none if one of them misses, or is a
 /// beam or a cone.
 template <class T>
@@ -47,14 +56,13 @@ template <class T>
                                                       const Timeline& timeline, int ray) {
   const auto record = [&](int number) -> const RayRecord& { return timeline.rays()[static_cast<std::size_t>(number)]; };
   if (timeline.has_width()) return std::nullopt;
-  std::vector<int> way;
-  for (int each = ray; each >= 0; each = record(each).parent) way.push_back(each);
+  const std::vector<int> way = way_of(timeline, ray);
   const PixelRecord& pixel = timeline.pixels()[static_cast<std::size_t>(record(ray).pixel)];
   Statistics uncounted;
   const Ray<T> primary = camera.primary_ray({pixel.column, pixel.row, pixel.sample}, uncounted);
   const bool is_naive = world.numerics == Numerics::naive;
   RayTwins<T> twins{primary, NaiveRay<T>(primary)};
-  for (std::size_t i = way.size() - 1; i-- > 0;) {
+  for (std::size_t i = 1; i < way.size(); ++i) {
     const auto found = is_naive ? find_surface(world, twins.naive) : find_surface(world, twins.robust);
     if (!found) return std::nullopt;
     const Vec3<T> direction(record(way[i]).direction);

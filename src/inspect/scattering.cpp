@@ -38,22 +38,21 @@ std::optional<Scattering> scattering_at(const World<double>& world, const Scene&
                                         int ray) {
   const auto record = [&](int number) -> const RayRecord& { return timeline.rays()[static_cast<std::size_t>(number)]; };
   if (timeline.has_width()) return std::nullopt;
-  std::vector<int> way;
-  for (int each = ray; each >= 0; each = record(each).parent) way.push_back(each);
-  if (record(way.back()).kind != RayKind::primary) return std::nullopt;
+  const std::vector<int> way = way_of(timeline, ray);
+  if (record(way.front()).kind != RayKind::primary) return std::nullopt;
   const RayGenerator<double> camera = camera_of<double>(scene, timeline);
   const PixelRecord& pixel = timeline.pixels()[static_cast<std::size_t>(record(ray).pixel)];
   Statistics uncounted;
   NestedMedia<double> nested(world);
   NoDifferential<double> none;
   WayRay next{camera.primary_ray({pixel.column, pixel.row, pixel.sample}, uncounted)};
-  next.ray.direction = normalize(record(way.back()).direction);
+  next.ray.direction = normalize(record(way.front()).direction);
   if (nested.any_around_eye()) next.medium = nested.at_eye(next.ray, uncounted.tests);
-  for (std::size_t i = way.size(); i-- > 0;) {
+  for (std::size_t i = 0; i < way.size(); ++i) {
     const auto hit = world.accelerator.closest(next.ray, infinity<double>, uncounted.tests);
     if (!hit || world.object(hit->primitive) != record(way[i]).object) return std::nullopt;
     Vertex at = prepare_vertex<Policy<double>>(world, nested, next, *hit, uncounted, none);
-    if (i == 0) {
+    if (i + 1 == way.size()) {
       if (!world.draws) take_undrawn_facets(at, world);
       const Material& material = scene.objects[static_cast<std::size_t>(record(ray).object)].material;
       Scattering found{at.bsdf, at.mapped ? at.mapped->roughness : material.roughness, std::nullopt};
@@ -61,7 +60,7 @@ std::optional<Scattering> scattering_at(const World<double>& world, const Scene&
       found.bsdf.prepare(Rgbd(1.0));
       return found;
     }
-    const RayRecord& further = record(way[i - 1]);
+    const RayRecord& further = record(way[i + 1]);
     next.medium = further.kind == RayKind::refract ? at.behind : at.medium;
     next.ray = spawn_ray<Ray<double>>(world, at.position, at.outward_normal, at.departure, normalize(further.direction),
                                       next.ray.time);

@@ -188,8 +188,9 @@ auto RadiosityTracer<Policy>::look_up_light(const EyeRay& ray, const Nearest& ne
   const Patches::Place place =
       patches_.place_of(nearest->primitive, Vec3d(at.position), Vec3d(at.bsdf.geometric_normal));
   const Rgbd irradiance = irradiance_.at(place);
-  Rgb<T> sent_on = at.bsdf.diffuse * Rgb<T>(irradiance / patches_.cosines());
-  inject<Policy>(world_, Fault::reflectance_forgotten, [&] { sent_on = Rgb<T>(irradiance / patches_.cosines()); });
+  const Rgb<T> arriving(irradiance / patches_.cosines());
+  Rgb<T> sent_on = at.bsdf.diffuse * arriving;
+  inject<Policy>(world_, Fault::reflectance_forgotten, [&] { sent_on = arriving; });
   const Rgb<T> shade = at.values().emission + sent_on;
   note(Line::look_up_light, [&] {
     return LightLookedUp{ray.number, place.patch,           settings_.patches.flat,

@@ -52,6 +52,37 @@ std::optional<PolygonItem> lobe(const State& state) {
   return {};
 }
 
+// At the hit of a ball that is of this material.
+State hit_with(const Material& material, Integrator integrator) {
+  Scene scene = metals(integrator).scene();
+  for (Object& each : scene.objects)
+    if (each.name == "Rough Gold") each.material = material;
+  State state = state_of(scene);
+  state.plan.viewport = {900, 620};
+  update(state, action::SetMode{Mode::trace});
+  update(state, action::Jump{hit_of(state, "Rough Gold")});
+  return state;
+}
+
+// The place of the curve that lies farthest from the hit, where it begins.
+Vec2d tip_of(const PolygonItem& curve) {
+  const Vec2d hit = curve.points[0];
+  return *std::max_element(curve.points.begin(), curve.points.end(),
+                           [&](const Vec2d& a, const Vec2d& b) { return length(a - hit) < length(b - hit); });
+}
+
+// The largest angle to its tip of a place that lies at least half as far out.
+double width_of(const PolygonItem& curve) {
+  const Vec2d hit = curve.points[0], tip = tip_of(curve) - hit;
+  double widest = 0;
+  for (const Vec2d& at : curve.points) {
+    const double far = length(at - hit);
+    if (far >= length(tip) / 2)
+      widest = std::max(widest, std::acos(std::clamp(dot(at - hit, tip) / (far * length(tip)), -1.0, 1.0)));
+  }
+  return widest;
+}
+
 }  // namespace
 
 TEST_CASE("the lobe of a rough mirror points where light is mirrored to, and is wider the rougher") {
@@ -69,19 +100,12 @@ TEST_CASE("the lobe of a rough mirror points where light is mirrored to, and is 
       const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(timeline.current_ray(position))];
       const Vec3d mirrored = ray.direction - 2 * dot(ray.direction, ray.normal) * ray.normal;
       const Vec2d hit = curve->points[0], along(mirrored.x, -mirrored.y);
-      double farthest = 0, half_as_far = 0;
-      Vec2d tip = hit;
-      for (const Vec2d& at : curve->points)
-        if (length(at - hit) > farthest) farthest = length(at - hit), tip = at;
+      const Vec2d tip = tip_of(*curve);
+      const double farthest = length(tip - hit), half_as_far = width_of(*curve);
       CHECK(farthest > 30);
       CHECK(farthest < 200);
       // Rough mirrors send most of it a little flatter than a smooth one.
       CHECK(dot(tip - hit, along) / farthest > 0.8);
-      for (const Vec2d& at : curve->points) {
-        if (length(at - hit) < farthest / 2) continue;
-        half_as_far = std::max(
-            half_as_far, std::acos(std::clamp(dot(at - hit, tip - hit) / (length(at - hit) * farthest), -1.0, 1.0)));
-      }
       CHECK(half_as_far > before);
       before = half_as_far;
     }
@@ -93,16 +117,6 @@ TEST_CASE("the lobe of a rough mirror points where light is mirrored to, and is 
 }
 
 TEST_CASE("the lobe of rough glass is on both sides, that of a rough matt surface leans to where light comes from") {
-  const auto with = [](const Material& material, Integrator integrator) {
-    Scene scene = metals(integrator).scene();
-    for (Object& each : scene.objects)
-      if (each.name == "Rough Gold") each.material = material;
-    State state = state_of(scene);
-    state.plan.viewport = {900, 620};
-    update(state, action::SetMode{Mode::trace});
-    update(state, action::Jump{hit_of(state, "Rough Gold")});
-    return state;
-  };
   // How far the curve goes on the side of the normal, and beyond.
   const auto reaches = [](const State& state) {
     const auto curve = lobe(state);
@@ -121,19 +135,19 @@ TEST_CASE("the lobe of rough glass is on both sides, that of a rough matt surfac
   glass.diffuse = Rgbd(0.0), glass.transmission = Rgbd(1.0);
   glass.dielectric = true;
   glass.roughness = 0.3;
-  const auto through = reaches(with(glass, Integrator::path));
+  const auto through = reaches(hit_with(glass, Integrator::path));
   CHECK(through.second > 30);
   CHECK(through.first > 0);
   CHECK(through.first < through.second / 2);
-  const auto shown = reaches(with(glass, Integrator::whitted));
+  const auto shown = reaches(hit_with(glass, Integrator::whitted));
   CHECK(shown.first > 20);
   CHECK(shown.second < 1e-6);
 
   Material dust;
-  CHECK_FALSE(lobe(with(dust, Integrator::path)));
+  CHECK_FALSE(lobe(hit_with(dust, Integrator::path)));
   dust.diffuse_roughness = 1;
   for (const Integrator integrator : {Integrator::path, Integrator::whitted, Integrator::cast}) {
-    const State state = with(dust, integrator);
+    const State state = hit_with(dust, integrator);
     const auto matt = reaches(state);
     CHECK(matt.first > 20);
     CHECK(matt.second < 1e-6);
@@ -157,33 +171,12 @@ TEST_CASE("a map makes the lobe what it makes of the surface there") {
   plain.diffuse = plain.specular = plain.ambient = Rgbd(0.0);
   plain.reflection = Rgbd(0.9);
   plain.roughness = 0.2;
-  const auto curve_of = [](const Material& material) {
-    Scene scene = metals(Integrator::path).scene();
-    for (Object& each : scene.objects)
-      if (each.name == "Rough Gold") each.material = material;
-    State state = state_of(scene);
-    state.plan.viewport = {900, 620};
-    update(state, action::SetMode{Mode::trace});
-    update(state, action::Jump{hit_of(state, "Rough Gold")});
-    const auto curve = lobe(state);
+  const auto width_with = [](const Material& material) {
+    const auto curve = lobe(hit_with(material, Integrator::path));
     REQUIRE(curve);
-    return curve->points;
+    return width_of(*curve);
   };
-  // How many places of the curve lie at least half as far out as its farthest.
-  const auto wide = [](const std::vector<Vec2d>& curve) {
-    double farthest = 0, widest = 0;
-    Vec2d tip = curve[0];
-    for (const Vec2d& at : curve)
-      if (length(at - curve[0]) > farthest) farthest = length(at - curve[0]), tip = at;
-    for (const Vec2d& at : curve) {
-      const double far = length(at - curve[0]);
-      if (far >= farthest / 2)
-        widest =
-            std::max(widest, std::acos(std::clamp(dot(at - curve[0], tip - curve[0]) / (far * farthest), -1.0, 1.0)));
-    }
-    return widest;
-  };
-  const double alone = wide(curve_of(plain));
+  const double alone = width_with(plain);
   const auto mapped_to = [&](double level) {
     Material mapped = plain;
     mapped.roughness = 0.4;
@@ -192,7 +185,7 @@ TEST_CASE("a map makes the lobe what it makes of the surface there") {
     map.file = "even.png";
     map.pixels = uniform(Rgbd(level));
     mapped.maps = {map};
-    return wide(curve_of(mapped));
+    return width_with(mapped);
   };
   // 0.4 times a half is 0.2 again.
   CHECK(mapped_to(0.5) == Approx(alone).epsilon(0.05));

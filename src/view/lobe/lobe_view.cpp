@@ -50,10 +50,12 @@ std::vector<double> angles(double normal, double reach, const std::vector<double
 void LobeRoom::follow(State& state, const Before& /*before*/) {
   LobeRoom& room = state.lobe;
   const std::shared_ptr<const Timeline>& timeline = state.walk.timeline;
-  if (room.of == timeline && room.position == state.walk.position) return;
-  room.of = timeline, room.position = state.walk.position;
-  room.ray = timeline == nullptr ? -1 : ray_at_hit(state);
-  room.seen.reset();
+  // While the scene is changed there are new rays all the time, and no lobes.
+  const int at_hit = timeline == nullptr || state.walk.mode == Mode::move ? -1 : ray_at_hit(state);
+  const bool is_known = room.of == timeline && room.ray == at_hit;
+  room.of = timeline, room.position = state.walk.position, room.ray = at_hit;
+  if (is_known) return;
+  room.seen.reset(), room.world.reset();
   if (room.ray < 0) return;
   const RayRecord& ray = timeline->rays()[static_cast<std::size_t>(room.ray)];
   const Material& material = state.scene().objects[static_cast<std::size_t>(ray.object)].material;
@@ -70,9 +72,7 @@ void LobeRoom::follow(State& state, const Before& /*before*/) {
 void LobeRoom::draw_in_plan(Painter& painter) {
   const State& state = painter.state;
   const LobeRoom& room = state.lobe;
-  if (state.walk.mode == Mode::move || room.seen == nullptr || room.of != state.walk.timeline ||
-      room.position != state.walk.position)
-    return;
+  if (room.seen == nullptr || room.of != state.walk.timeline || room.position != state.walk.position) return;
   const RayRecord& ray = room.of->rays()[static_cast<std::size_t>(room.ray)];
   const auto walked = walked_scene(state);
   const Bsdf<double>& bsdf = room.seen->bsdf;
