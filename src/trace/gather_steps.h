@@ -300,9 +300,11 @@ PhotonCircle PhotonTracer<Policy>::circle_of(const PhotonMap& map, const Vertex&
                Rgbd(matt->value(bsdf->diffuse, bsdf->shading_normal, -bsdf->incident, -Vec3<T>(incident)));
       };
   }
+  std::optional<Vec3d> side = found.normal;
+  inject<Policy>(world_, Fault::photons_from_behind, [&] { side.reset(); });
   const PhotonsNear near = settings_.progressive
-                               ? map.within(found.position, found.normal, std::sqrt(squared), answer)
-                               : map.nearest(found.position, found.normal, settings_.nearest, settings_.radius, answer);
+                               ? map.within(found.position, side, std::sqrt(squared), answer)
+                               : map.nearest(found.position, side, settings_.nearest, settings_.radius, answer);
   if (!(near.squared_radius > 0) || std::isinf(near.squared_radius)) return {};
   const double density = photon_density(near.squared_radius, settings_.flat);
   if (answer) found.answered = found.answered.value_or(Rgbd(0.0)) + near.answered * density;

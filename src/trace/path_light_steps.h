@@ -45,9 +45,12 @@ auto PathTracer<Policy>::form_shadow_ray(const PathRay& ray, const Vertex& at, i
     return std::nullopt;
   };
   if (settings_.max_length > 0 && ray.length + 1 > settings_.max_length) return not_formed(Ending::path_length);
-  const std::optional<Ending> why_not = light ? aim_at_light(light_sample, at)
-                                        : sky ? aim_at_sky(light_sample, at)
-                                              : aim_at_emitter(light_sample, at);
+  std::optional<Ending> why_not = light ? aim_at_light(light_sample, at)
+                                  : sky ? aim_at_sky(light_sample, at)
+                                        : aim_at_emitter(light_sample, at);
+  inject<Policy>(world_, Fault::second_side_black, [&] {
+    if (!at.entering) why_not = Ending::facing_away;
+  });
   if (why_not) return not_formed(*why_not);
   light_sample.ray = spawn(at, light_sample.ray.direction);
   light_sample.number = rays_formed_++;
@@ -67,9 +70,8 @@ auto PathTracer<Policy>::form_shadow_ray(const PathRay& ray, const Vertex& at, i
   return light_sample;
 }
 
-/// A light contributes as in the tracer: its strength times kd cos and ks (n.h)^s, and what
-/// small mirrors have of it. Inside of a medium, the phase
-/// function is in the place of kd / pi cos.
+/// A light contributes as in the tracer: its strength times kd cos and ks (n.h)^s, and what small mirrors have of it.
+/// Inside of a medium, the phase function is in the place of kd / pi cos.
 template <class Policy>
 std::optional<Ending> PathTracer<Policy>::aim_at_light(LightSample& light_sample, const Vertex& at) {
   const typename World<T>::Light& light = *light_sample.light;

@@ -90,9 +90,9 @@ class NearestHeap {
 };
 
 /// Photons on surfaces that face elsewhere, around a corner or on the other side, tell nothing about the light here.
-bool is_on_same_side(const Photon& photon, const Vec3d& normal) {
+bool is_on_same_side(const Photon& photon, const std::optional<Vec3d>& normal) {
   constexpr double half = 0.5;  // cosine of 60 degrees
-  return dot(Vec3d(photon.normal), normal) > half;
+  return !normal || dot(Vec3d(photon.normal), *normal) > half;
 }
 
 double squared_distance(const Photon& photon, const Vec3d& point) {
@@ -165,7 +165,7 @@ void PhotonMap::search(const Vec3d& point, double& squared, Take&& take) const {
   }
 }
 
-PhotonsNear PhotonMap::nearest(const Vec3d& point, const Vec3d& normal, int k, double radius,
+PhotonsNear PhotonMap::nearest(const Vec3d& point, const std::optional<Vec3d>& normal, int k, double radius,
                                const PhotonAnswer& answer) const {
   NearestHeap heap(static_cast<std::size_t>(k));
   double squared = radius * radius;
@@ -188,7 +188,7 @@ PhotonsNear PhotonMap::nearest(const Vec3d& point, const Vec3d& normal, int k, d
   return found;
 }
 
-PhotonsNear PhotonMap::within(const Vec3d& point, const Vec3d& normal, double radius,
+PhotonsNear PhotonMap::within(const Vec3d& point, const std::optional<Vec3d>& normal, double radius,
                               const PhotonAnswer& answer) const {
   PhotonsNear found;
   found.squared_radius = radius * radius;

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -52,16 +53,17 @@ class PhotonMap {
   [[nodiscard]] const std::vector<Photon>& photons() const { return photons_; }
 
   /// The circle about `point` that reaches to the k-th photon (k >= 2), but at most to `radius`. Counted are photons
-  /// that arrived on the side of `normal`, of unit length, within 60 degrees of it: not those around a corner.
+  /// that arrived on the side of `normal`, of unit length, within 60 degrees of it: not those around a corner. Without
+  /// a normal all count, wherever they arrived.
   ///
   /// The photon that marks the circle's edge is not counted: with it, k / (pi r_k^2) would on average be k / (k - 1)
   /// too large. Where the radius ends the search first, all in the circle count. Either way the estimate is unbiased
   /// where the light is the same all over the circle.
-  [[nodiscard]] PhotonsNear nearest(const Vec3d& point, const Vec3d& normal, int k,
+  [[nodiscard]] PhotonsNear nearest(const Vec3d& point, const std::optional<Vec3d>& normal, int k,
                                     double radius = std::numeric_limits<double>::infinity(),
                                     const PhotonAnswer& answer = {}) const;
   /// All photons in the circle.
-  [[nodiscard]] PhotonsNear within(const Vec3d& point, const Vec3d& normal, double radius,
+  [[nodiscard]] PhotonsNear within(const Vec3d& point, const std::optional<Vec3d>& normal, double radius,
                                    const PhotonAnswer& answer = {}) const;
 
  private:

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "math/words.h"
+#include "scene/render_choices.h"
 
 #include <array>
 #include <span>
@@ -307,15 +308,16 @@ inline constexpr std::array<PseudocodeLine, cone_line_count> cone_pseudocode{{
 /// The lines of several procedures: of the one that runs once for each pixel, and of those that it calls.
 struct Pseudocode {
   std::span<const PseudocodeLine> lines;
-  bool recursive;  ///< the second one calls itself, DEPTH deep
+  bool recursive;         ///< the second one calls itself, DEPTH deep
+  Integrator integrator;  ///< whose it is; `automatic`: the tracer's
 };
 /// All pseudocodes, in the order of their lines.
-inline constexpr std::array<Pseudocode, 6> pseudocodes{{{pseudocode, true},
-                                                        {path_pseudocode, false},
-                                                        {photon_pseudocode, false},
-                                                        {radiosity_pseudocode, false},
-                                                        {beam_pseudocode, true},
-                                                        {cone_pseudocode, true}}};
+inline constexpr std::array<Pseudocode, 6> pseudocodes{{{pseudocode, true, Integrator::automatic},
+                                                        {path_pseudocode, false, Integrator::path},
+                                                        {photon_pseudocode, false, Integrator::photons},
+                                                        {radiosity_pseudocode, false, Integrator::radiosity},
+                                                        {beam_pseudocode, true, Integrator::beams},
+                                                        {cone_pseudocode, true, Integrator::cones}}};
 inline constexpr int all_lines_count = static_cast<int>(pseudocodes.back().lines.back().line) + 1;
 
 /// The one that a line belongs to.

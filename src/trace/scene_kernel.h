@@ -17,8 +17,7 @@ namespace raywalk {
 /// The path tracing settings of a scene.
 [[nodiscard]] PathSettings path_settings_of(const Scene& scene);
 
-/// Traces a scene's pixels with the procedure of its integrator. A fault of the tracer
-/// makes it the tracer's.
+/// Traces a scene's pixels with the procedure of its integrator. A fault of the tracer makes it the tracer's.
 template <class T>
 class SceneKernel {
  public:

@@ -162,7 +162,7 @@ mutant stack_top_is_left stack trace/media.h 'std::remove(stack.begin(), stack.e
 # --- Photons ----------------------------------------------------------------------------------------------------------
 mutant photons_count_the_edge photons trace/photon_map.cpp \
   'if (heap.full() && entry.photon == heap.farthest().photon) continue;' 'if (false) continue;'
-mutant photons_stored_from_behind photons trace/photon_map.cpp 'dot(Vec3d(photon.normal), normal) > half' 'true'
+mutant photons_stored_from_behind photons trace/photon_map.cpp '!normal || dot(Vec3d(photon.normal), *normal) > half' 'true'
 mutant photons_around_the_corner photons trace/photon_map.cpp 'constexpr double half = 0.5;' 'constexpr double half = -0.5;'
 mutant photons_one_side_of_the_split photons trace/photon_map.cpp 'waiting[count++] = far;' ''
 mutant photons_far_side_too_far photons trace/photon_map.cpp 'far.squared = beyond * beyond;' 'far.squared = 2 * beyond * beyond;'
@@ -230,6 +230,9 @@ mutant cones_segment_doubled cones trace/ray_cone.cpp '(arc - portable::sin(arc)
 mutant cones_small_segment_doubled cones trace/ray_cone.cpp 'arc * square / 12' 'arc * square / 6'
 mutant cones_one_segment_of_two cones trace/ray_cone.cpp 'segment(own) + radius * radius * segment(other)' 'segment(own)'
 mutant cones_gloss_narrows cones trace/ray_cone.cpp 'width.spread + more' 'width.spread - more'
+mutant cones_facets_turn_once cones trace/ray_cone.cpp '{2, 2 * cos_in}' '{1, cos_in}'
+mutant cones_facets_turn_with_the_light cones trace/ray_cone.cpp 'std::abs(1 - in / cos_out)' 'std::abs(in / cos_out)'
+mutant cones_facets_as_wide_as_half cones trace/ray_cone.cpp '2 / std::numbers::sqrt3' '1 / std::numbers::sqrt3'
 mutant cones_ask_as_if_they_did_not_widen cone_bodies trace/cone_bodies.cpp 'std::abs(cone.radius_at(until))' '0.0'
 mutant cones_ask_nothing_behind_their_start cone_bodies trace/cone_bodies.cpp 'std::max(along - reach, 0.0)' 'std::max(along, 0.0)'
 mutant pencils_mirror_keeps_left cones trace/pencil.h 'ConePlane::of_incidence ? -1 : 1;' 'ConePlane::of_incidence ? 1 : 1;'

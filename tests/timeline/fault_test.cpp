@@ -46,6 +46,22 @@ Scene scene_for(Fault fault) {
           object.shape = Polygon<double>{{{0.3, -1.2, 2.9}, {0.3, 1.2, 2.9}, {2.7, 1.2, 2.9}, {2.7, -1.2, 2.9}}, {}};
       return scene;
     }
+    case Fault::second_side_black: {
+      Scene scene = naive("cornell");
+      for (Object& object : scene.objects)
+        if (object.name == "Red wall")
+          object.shape = Polygon<double>{{{0, 1.5, 3}, {3, 1.5, 3}, {3, 1.5, 0}, {0, 1.5, 0}}, {}};
+      return scene;
+    }
+    case Fault::photons_from_behind: {
+      Scene scene = naive("caustic");
+      scene.render.photons.count = 5000;
+      scene.camera.eye = {7, 0, 0};
+      for (Object& object : scene.objects)
+        if (object.name == "Wall") object.shape = Box<double>{{2.6, -4, -1.2}, {2.63, 4, 2.6}};
+      return scene;
+    }
+    case Fault::power_of_another_pass:
     case Fault::pi_forgotten: {
       Scene scene = naive("caustic");
       scene.render.photons.count = 5000;

@@ -116,7 +116,8 @@ TEST_CASE("photons on the other side, or around a corner, tell nothing") {
       {photon_at(0, 0, 0, upwards, 1), photon_at(0.1, 0, 0, -upwards, 2), photon_at(0.1, 0, 0, {1, 0, 0}, 4)});
   CHECK(map.within({0, 0, 0}, upwards, 1).power.x == 1);
   CHECK(map.within({0, 0, 0}, -upwards, 1).power.x == 2);
-  CHECK(map.within({0, 0, 0}, {1, 0, 0}, 1).power.x == 4);
+  CHECK(map.within({0, 0, 0}, Vec3d(1, 0, 0), 1).power.x == 4);
+  CHECK(map.within({0, 0, 0}, std::nullopt, 1).power.x == 7);
 }
 
 TEST_CASE("no photon and few photons: the circle ends at its largest radius, and all inside count") {
@@ -184,7 +185,7 @@ TEST_CASE("in a flat world the same laws hold for lengths") {
   const PhotonMap map(photons);
   DensitySpread right, end;
   for (int i = 0; i < 4000; ++i) {
-    const PhotonsNear near = map.nearest({0.1 + 0.8 * number_of(i, 2), 0, 0}, {0, 1, 0}, k);
+    const PhotonsNear near = map.nearest({0.1 + 0.8 * number_of(i, 2), 0, 0}, Vec3d(0, 1, 0), k);
     right.add(near.power.x * photon_density(near.squared_radius, true));
   }
   CHECK(std::abs(right.mean - 1) < 4 * right.error());
@@ -192,7 +193,7 @@ TEST_CASE("in a flat world the same laws hold for lengths") {
   for (std::uint64_t seed = 0; seed < 400; ++seed) {
     std::vector<Photon> own;
     for (int i = 0; i < 500; ++i) own.push_back(photon_at(number_of(i, 0, seed), 0, 0, {0, 1, 0}, 1.0 / 500));
-    const PhotonsNear near = PhotonMap(own).nearest({0, 0, 0}, {0, 1, 0}, k);
+    const PhotonsNear near = PhotonMap(own).nearest({0, 0, 0}, Vec3d(0, 1, 0), k);
     end.add(near.power.x * photon_density(near.squared_radius, true));
   }
   CHECK(std::abs(end.mean - 0.5) < 4 * end.error());

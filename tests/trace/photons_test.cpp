@@ -130,7 +130,7 @@ TEST_CASE("the caustic in a cup is a nephroid: the sum of 1 / |J| over all rays 
   REQUIRE(caustic.size() > 10000);
   const double level = pi * slope / std::sqrt(1 + slope * slope);  // of the floor without the cup
   const auto irradiance = [&](double x, int k) {
-    const PhotonsNear near = caustic.nearest({x, 0, 0}, {0, 0, 1}, k, 0.05);
+    const PhotonsNear near = caustic.nearest({x, 0, 0}, Vec3d(0, 0, 1), k, 0.05);
     return near.power.x * photon_density(near.squared_radius, false) / level;
   };
   for (const double x : {0.0, 0.1, 0.2, 0.3, 0.4, 0.6, 0.65, 0.7}) {

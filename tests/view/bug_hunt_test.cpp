@@ -127,7 +127,7 @@ TEST_CASE("a wrong guess says what the line did right, and a hint; a right one s
     CHECK_THAT(panel.verdict, contains(std::string(pseudocode_of(right).text)));
     CHECK(panel.learnt[0].text == said_of(state.walk.bug->fault, "wrong"));
     CHECK(panel.learnt[1].text == said_of(state.walk.bug->fault, "cure"));
-    CHECK(panel.tally == "1 of 13 found");
+    CHECK(panel.tally == "1 of 16 found");
     // It is over: nothing more is asked.
     CHECK_FALSE(asks_for_line(state));
     update(state, action::MarkLine{wrong});
@@ -308,7 +308,7 @@ TEST_CASE("one hunt after the other: the way back is the first one's") {
   update(state, action::HuntBug{8});
   CHECK(state.walk.bug->fault == Fault::epsilon_too_small);
   update(state, action::HuntBug{0});
-  update(state, action::HuntBug{14});
+  update(state, action::HuntBug{17});
   CHECK(state.walk.bug->fault == Fault::epsilon_too_small);
   update(state, action::LeaveHunt{});
   CHECK(state.scene() == mine);

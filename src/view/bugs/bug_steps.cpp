@@ -31,10 +31,13 @@ std::string_view bug_scene(Fault fault) {
       return "shadows";
     case Fault::depth_not_counted:
       return "mirrors";
+    case Fault::second_side_black:
     case Fault::cosine_counted_twice:
     case Fault::emission_not_weighted:
     case Fault::emitter_area_forgotten:
       return "cornell";
+    case Fault::photons_from_behind:
+    case Fault::power_of_another_pass:
     case Fault::pi_forgotten:
       return "caustic";
     case Fault::reflectance_forgotten:
@@ -45,6 +48,14 @@ std::string_view bug_scene(Fault fault) {
 
 /// What is changed of it.
 std::string_view changes_for(Fault fault) {
+  // A thin wall, seen from the side that is in the dark.
+  if (fault == Fault::photons_from_behind)
+    return "camera.eye = [7, 0]\n"
+           "Wall.min = [2.6, -4, -1.2]\nWall.max = [2.63, 4, 2.6]\n"
+           "render.photons.count = 20000";
+  // Its corners the other way round: the wall shows its second side.
+  if (fault == Fault::second_side_black)
+    return "Red wall.corners = [[0, 1.5, 3], [3, 1.5, 3], [3, 1.5, 0], [0, 1.5, 0]]";
   // So that a walk begins at once, with the fault and without it.
   if (integrator_of(fault) == Integrator::photons) return "render.photons.count = 20000";
   // A large panel, which rays meet by chance now and then.
