@@ -147,11 +147,12 @@ EffectUse filtering(const Scene& scene, Integrator integrator) {
              : use;
 }
 
-/// Without random numbers rough glass still has its highlights, unless what is followed has a width.
+/// Without random numbers rough glass still has its highlights, but with beams.
 EffectUse rough_glass(const Scene& scene, Integrator integrator) {
   const EffectUse use =
       use_if(scene, &Material::is_rough_glass, "is glass of small facets", "nothing is of metal or rough");
-  return use.used && traits_of(integrator).has_width ? left_out(integrator, "takes rough glass as clear") : use;
+  const IntegratorTraits& traits = traits_of(integrator);
+  return use.used && traits.has_width && !traits.has_lobes ? left_out(integrator, "takes rough glass as clear") : use;
 }
 
 /// Without random numbers a rough mirror still has its highlights. Matt surfaces are there for every integrator.

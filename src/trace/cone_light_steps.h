@@ -112,7 +112,8 @@ template <class T, class Watcher, bool with_maps>
 void ConeTracer<T, Watcher, with_maps>::add_light(DirectLighting& direct, const Part& part, const Light& light,
                                                   const Shadow& shadow, const Rgb<T>& uncovered) {
   if (is_black(uncovered)) return add_unlit(direct, light);
-  const detail::PartLight<T> brought = detail::light_on(*part.at, part.ray, light, shadow.to_light, uncovered);
+  const detail::PartLight<T> brought =
+      detail::light_on(*part.at, part.ray, light, shadow.to_light, uncovered, part.facets ? &*part.facets : nullptr);
   direct.sum += brought.diffuse + brought.specular;
   if constexpr (Observer::watches) direct.terms.push_back({light.index, Rgbd(brought.diffuse), Rgbd(brought.specular)});
 }

@@ -142,6 +142,7 @@ void ConeTracer<T, Watcher, with_maps>::meet(Part& part, const Cone& cone) {
   const detail::MiddleOfPart<T> middle{part.ray, part.number, cone.medium};
   detail::ConeDifferential<T> differential(world_, part.width);
   part.at = prepare_vertex<AllEffects>(world_, nested_, middle, hit, statistics_, differential);
+  meet_facets(part);
   const auto& surface = *part.at->surface;
   part.ambient = part.at->values().ambient;
   if constexpr (with_maps)
@@ -151,6 +152,36 @@ void ConeTracer<T, Watcher, with_maps>::meet(Part& part, const Cone& cone) {
     part.ambient *= differential.pattern(hit, point, part.ray.time);
   else
     texture(part.ambient, surface, world_.accelerator.primitives(), hit.primitive, point, hit.part, part.ray.time);
+}
+
+template <class T, class Watcher, bool with_maps>
+void ConeTracer<T, Watcher, with_maps>::meet_facets(Part& part) const {
+  const Vertex& at = *part.at;
+  if (world_.microsurfaces.empty()) return;
+  Vertex shown = at;
+  if constexpr (with_maps) {
+    if (at.mapped) {
+      part.slope = static_cast<double>(at.mapped->roughness);
+      shown.bsdf.mirror = at.mapped->reflection;
+      take_facets(shown, true, *world_.maps(*at.surface));
+      if (part.slope > 0) part.facets = shown.bsdf;
+      return;
+    }
+  }
+  const Microsurface<T>& own = world_.microsurfaces[static_cast<std::size_t>(at.surface - world_.surfaces.data())];
+  const T slope = own.facets ? own.facets->alpha() : own.glass;
+  if (!(slope > 0)) return;
+  part.slope = static_cast<double>(slope);
+  if (own.facets) {
+    shown.bsdf.facets = &own;
+    shown.bsdf.mirror = at.surface->reflection;
+  } else if (const auto* glass = world_.rough_dielectric(*at.surface, at.refraction.n1, at.refraction.n2)) {
+    shown.bsdf.take_glass(*glass, at.refraction.n1, at.refraction.cos_in,
+                          at.surface->reflection + at.surface->transmission);
+  } else {
+    return;  // it bends nothing
+  }
+  part.facets = shown.bsdf;
 }
 
 /// As drawn: two sides of a part, or of all of a cone, in the plan or beside the axis; in space its rim, too.
@@ -227,8 +258,9 @@ auto ConeTracer<T, Watcher, with_maps>::form_reflected_cone(int depth, const Par
     -> std::optional<Cone> {
   const auto& bsdf = part.at->bsdf;
   const double cos_in = std::abs(static_cast<double>(dot(bsdf.incident, bsdf.shading_normal)));
-  const ConeWidth width =
-      widened(mirrored_cone(part.width, curvature_at(part), cos_in, flat_), static_cast<double>(bsdf.mirror_width));
+  const ConeWidth mirrored = mirrored_cone(part.width, curvature_at(part), cos_in, flat_);
+  const ConeWidth width = part.slope > 0 ? widened_by_mirrors(mirrored, part.slope, cos_in, flat_)
+                                         : widened(mirrored, static_cast<double>(bsdf.mirror_width));
   return form_next_cone(Line::form_reflected_cone, depth, part, cone, bsdf.mirror_axis, width, bsdf.mirror,
                         part.at->medium);
 }
@@ -238,10 +270,11 @@ auto ConeTracer<T, Watcher, with_maps>::form_refracted_cone(int depth, const Par
     -> std::optional<Cone> {
   const Refraction<T>& at = part.at->refraction;
   const auto& bsdf = part.at->bsdf;
-  const ConeWidth width =
-      widened(refracted_cone(part.width, curvature_at(part), static_cast<double>(at.n1), static_cast<double>(at.n2),
-                             static_cast<double>(at.cos_in), static_cast<double>(at.cos_out), flat_),
-              static_cast<double>(bsdf.transparent_width));
+  const auto n1 = static_cast<double>(at.n1), n2 = static_cast<double>(at.n2);
+  const auto cos_in = static_cast<double>(at.cos_in), cos_out = static_cast<double>(at.cos_out);
+  const ConeWidth bent = refracted_cone(part.width, curvature_at(part), n1, n2, cos_in, cos_out, flat_);
+  const ConeWidth width = part.slope > 0 ? widened_by_facets(bent, part.slope, n1, n2, cos_in, cos_out, flat_)
+                                         : widened(bent, static_cast<double>(bsdf.transparent_width));
   return form_next_cone(Line::form_refracted_cone, depth, part, cone, bsdf.transparent_axis, width, bsdf.transparent,
                         part.at->behind);
 }

@@ -8,7 +8,8 @@
 // Where it errs: shares of several objects are multiplied as if they had nothing to do with each other; a part is
 // shaded in one place, in its middle; a shadow cone starts as wide as the part and ends as wide as the light, which is
 // seen as a disc of its area (in the plan: as wide as it is) whatever its shape; a cone bent by a curved surface is
-// right near its axis only, and always round. It draws no random numbers.
+// right near its axis only, and always round; small facets scatter evenly in a cone, without the tails that they have,
+// and as much of a metal's or a glass's light as one facet does. It draws no random numbers.
 //
 // With n samples a pixel is n cones, each for its own share of the pixel.
 
@@ -72,7 +73,9 @@ class ConeTracer {
     int number = 0;     ///< as above
     int object = -1;
     std::optional<Vertex> at{};  ///< what that ray meets
-    Rgb<T> ambient{0};           ///< of the surface
+    double slope = 0;            ///< that half of the surface's small facets exceed; 0: it is smooth
+    std::optional<decltype(Vertex::bsdf)> facets{};  ///< of a surface that is not: what shows its highlights
+    Rgb<T> ambient{0};                               ///< of the surface
   };
   struct Shadow {
     RayCone cone;
@@ -138,6 +141,7 @@ class ConeTracer {
   Cone form_cone(const Pixel& pixel);
   std::vector<Part> find_cover(Line line, int depth, const Cone& cone);
   void meet(Part& part, const Cone& cone);
+  void meet_facets(Part& part) const;
   [[nodiscard]] BeamArea area_of(const RayCone& cone, const ConePart& part) const;
   int call_shade_cone(Line line, int depth, const Cone& cone);
   void begin(int depth, const std::vector<Part>& parts, const Part& part);

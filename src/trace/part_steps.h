@@ -68,11 +68,11 @@ struct PartLight {
 };
 
 /// What a light brings to the middle of a part, whose ray is `ray`. `to_light`: not of unit length; `arriving`: how
-/// much of the light is not held up on its way.
+/// much of the light is not held up on its way. `facets`: small ones, that show their highlight; null: there are none.
 template <class T, bool with_maps>
 [[nodiscard]] PartLight<T> light_on(const SurfaceVertex<T, true, with_maps>& at, const Ray<T>& ray,
                                     const typename World<T>::Light& light, const Vec3<T>& to_light,
-                                    const Rgb<T>& arriving) {
+                                    const Rgb<T>& arriving, const Bsdf<T, true, with_maps>* facets = nullptr) {
   const T distance = light.distance(to_light);
   const Vec3<T> l = to_light / distance, h = l - ray.direction;
   const Rgb<T> radiance = arriving * light.strength * (light.falloff(l) / light.attenuation(distance));
@@ -82,6 +82,7 @@ template <class T, bool with_maps>
   if (!is_black(at.specular))
     brought.specular =
         radiance * at.specular * power_of_cosine(dot(at.bsdf.shading_normal, h), dot(h, h), at.values().shininess);
+  if (facets != nullptr) brought.specular += radiance * facets->highlight_of_facets(l);
   return brought;
 }
 

@@ -48,6 +48,17 @@ ConeWidth mean(const ConeWidth& a, const ConeWidth& b) {
   return {(a.radius + b.radius) / 2, (a.spread + b.spread) / 2};
 }
 
+/// `turns`: of a direction, over that of the facet's normal, in the plane of incidence and across it. Slopes as GGX has
+/// them: in the plane of a flat world half of them are beyond slope / sqrt(3) on one side or the other.
+ConeWidth scattered(ConeWidth width, double slope, const Vec2d& turns, bool flat) {
+  if (!(slope > 0)) return width;
+  const double more =
+      slope * (flat ? 2 / std::numbers::sqrt3 * turns.x : std::numbers::sqrt2 * (turns.x + turns.y) / 2);
+  // What is scattered twice is so by chance: squares add up. A cone that narrows first meets in a point.
+  const double spread = width.spread > 0 ? std::sqrt(width.spread * width.spread + more * more) : width.spread + more;
+  return {width.radius, std::min(spread, largest_spread)};
+}
+
 /// 1 - cos of half its arc: the area that a chord cuts off the unit disc.
 double segment(double versine) {
   versine = std::clamp(versine, 0.0, 2.0);
@@ -72,6 +83,17 @@ ConeWidth refracted_cone(ConeWidth width, double curvature, double n1, double n2
   const ConeWidth in_plane = refracted(width, ConePlane::of_incidence, curvature, n1, n2, cos_in, cos_out);
   return turned_out(flat ? in_plane
                          : mean(in_plane, refracted(width, ConePlane::across, curvature, n1, n2, cos_in, cos_out)));
+}
+
+ConeWidth widened_by_mirrors(ConeWidth width, double slope, double cos_in, bool flat) {
+  return scattered(width, slope, {2, 2 * cos_in}, flat);
+}
+
+ConeWidth widened_by_facets(ConeWidth width, double slope, double n1, double n2, double cos_in, double cos_out,
+                            bool flat) {
+  cos_out = std::max(cos_out, 1e-6);
+  const double in = n1 / n2 * cos_in;
+  return scattered(width, slope, {std::abs(1 - in / cos_out), std::abs(in - cos_out)}, flat);
 }
 
 ConeWidth widened(ConeWidth width, double one_minus_cos) {

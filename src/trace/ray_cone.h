@@ -60,6 +60,11 @@ enum class ConePlane { of_incidence, across };
 [[nodiscard]] ConeWidth mirrored_cone(ConeWidth width, double curvature, double cos_in, bool flat);
 [[nodiscard]] ConeWidth refracted_cone(ConeWidth width, double curvature, double n1, double n2, double cos_in,
                                        double cos_out, bool flat);
+/// Of small facets, half of whose area is steeper than `slope`: the cone in whose inner half lies what the other half
+/// sends on, each direction turned by as much as its facet makes it. A slope of 0 widens nothing.
+[[nodiscard]] ConeWidth widened_by_mirrors(ConeWidth width, double slope, double cos_in, bool flat);
+[[nodiscard]] ConeWidth widened_by_facets(ConeWidth width, double slope, double n1, double n2, double cos_in,
+                                          double cos_out, bool flat);
 /// Of a rough mirror or milky glass, which scatter evenly in a cone of their own. `one_minus_cos`: of its half angle.
 [[nodiscard]] ConeWidth widened(ConeWidth width, double one_minus_cos);
 

@@ -146,7 +146,9 @@ TEST_CASE("microfacets are called for by rough glass, and by what is matt and ro
   CHECK(integrator_of(scene) == Integrator::distributed);
   CHECK_FALSE(effects_of(scene).used(Effect::translucency));
   scene.render.integrator = Integrator::cones;
-  CHECK(effects_of(scene)[Effect::microfacets].why == "none: cones takes rough glass as clear");
+  CHECK(effects_of(scene).used(Effect::microfacets));
+  scene.render.integrator = Integrator::beams;
+  CHECK(effects_of(scene)[Effect::microfacets].why == "none: beams takes rough glass as clear");
   scene.render.integrator = Integrator::path;
   scene.render.switches.refraction = false;
   CHECK_FALSE(effects_of(scene).used(Effect::microfacets));

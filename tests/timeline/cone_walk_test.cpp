@@ -194,6 +194,47 @@ TEST_CASE("one cone a pixel is nearer to many samples than one sample is, with g
   CHECK(cone_error(cones, truth) < 0.5 * cone_error(one, truth));
 }
 
+TEST_CASE("one cone sees in small facets what many samples do: things, and the highlight of a lamp") {
+  Scene scene = cone_plain();
+  scene.image = {24, 18};
+  Material rough;
+  rough.diffuse = rough.ambient = Rgbd(0.0);
+  const auto errors = [&] {
+    scene.objects = {{"Rough", Box<double>{{1, -9, -9}, {2, 9, 9}}, rough},
+                     {"Bar", Prism<double>{{{-8, -1}, {-7, -1}, {-7, 1}, {-8, 1}}, 9}, shining({1, 0.8, 0.2})},
+                     {"Beyond", Box<double>{{6, -1, -1}, {7, 1, 1}}, shining({0.2, 0.9, 0.4})}};
+    Scene sampled = scene;
+    sampled.render.integrator = Integrator::distributed;
+    const std::vector<Rgbd> truth = cone_picture(sampled, sanitized ? 64 : 400);
+    Scene smooth = scene;
+    smooth.objects[0].material.roughness = 0;
+    return std::pair(cone_error(cone_picture(scene), truth), cone_error(cone_picture(smooth), truth));
+  };
+  SECTION("a mirror") {
+    rough.reflection = Rgbd(1.0);
+    rough.roughness = 0.1;
+  }
+  SECTION("a metal") {
+    rough.reflection = Rgbd(1.0);
+    rough.mirror = MirrorKind::gold;
+    rough.roughness = 0.15;
+  }
+  SECTION("glass") {
+    rough.transmission = Rgbd(1.0);
+    rough.dielectric = true;
+    rough.roughness = 0.2;
+    scene.background = Rgbd(0.0);  // some of which would be caught between the faces, deeper than rays go
+  }
+  SECTION("a mirror's lamp") {
+    rough.reflection = Rgbd(1.0);
+    rough.roughness = 0.3;
+    scene.lights = {{"Lamp", Rgbd(0.5), PointLight{{-4, 1, 1}, {1, 0, 0}}}};
+  }
+  const auto [cones, taken_as_smooth] = errors();
+  CAPTURE(cones, taken_as_smooth);
+  CHECK(cones < 0.35 * taken_as_smooth);
+}
+
 TEST_CASE("where cones cannot be followed, rays are, with the bits that rays have") {
   Scene scene = cone_lit();
   scene.objects.push_back({"Egg", Ellipsoid<double>{}, Material{}});

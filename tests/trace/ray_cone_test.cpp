@@ -2,11 +2,15 @@
 
 #include "trace/ray_cone.h"
 
+#include "math/random.h"
+#include "trace/microfacets.h"
 #include "trace/optics.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <vector>
 
 #include "support/catch.h"
 
@@ -29,6 +33,39 @@ long double lens_by_slices(long double distance, long double radius) {
     sum += 2 * half * (high - low) / 2 * std::sin(angle) * half_turn / slices;
   }
   return sum;
+}
+
+/// What facets send on of a ray from above: how far along `across` and in the plane of incidence, over the axis. Half
+/// of it is nearer than what is returned.
+struct Halves {
+  double in_plane, across, away;  ///< and whatever the direction
+};
+double middle_of(std::vector<double>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+template <class Send>
+Halves halves_of(double slope, const Vec3d& axis, Send&& send) {
+  const Ggx<double> facets(slope);
+  const Vec3d across(0, 1, 0), in_plane = cross(across, axis);
+  std::vector<double> along, aside, away;
+  for (std::uint32_t i = 0; i < 40000; ++i) {
+    RandomKey key{};
+    key.sample = i;
+    Vec2d u;
+    for (int k = 0; k < 2; ++k) {
+      key.dimension = static_cast<std::uint32_t>(k);
+      u[k] = random_unit<double>(key);
+    }
+    // By their projected area, whoever looks: as from straight above.
+    const std::optional<Vec3d> direction = send(facets.sample_half({0, 0, 1}, u));
+    if (!direction) continue;
+    const double ahead = dot(*direction, axis), x = dot(*direction, in_plane) / ahead,
+                 y = dot(*direction, across) / ahead;
+    along.push_back(std::abs(x)), aside.push_back(std::abs(y)), away.push_back(std::sqrt(x * x + y * y));
+  }
+  return {middle_of(along), middle_of(aside), middle_of(away)};
 }
 
 }  // namespace
@@ -137,4 +174,39 @@ TEST_CASE("gloss widens a cone, and nothing narrower than sharp is left as it is
   const double angle = 0.1;
   CHECK(widened(sharp, 1 - std::cos(angle)).spread == Approx(sharp.spread + std::tan(angle)).epsilon(1e-9));
   CHECK(widened(sharp, 1).spread == largest_spread);
+}
+
+TEST_CASE("small facets widen a cone by what half of them turn a direction") {
+  const double slope = 0.01;
+  const ConeWidth sharp{0.1, 0};
+  CHECK(widened_by_mirrors(sharp, 0, 0.5, false).spread == sharp.spread);
+  CHECK(widened_by_facets(sharp, 0, 1, 1.5, 0.5, 0.8, true).spread == sharp.spread);
+  for (const double cos_in : {1.0, 0.8, 0.5}) {
+    const Vec3d incident(std::sqrt(1 - cos_in * cos_in), 0, -cos_in), up(0, 0, 1);
+    CAPTURE(cos_in);
+    const auto check = [&](const Halves& halves, double round, double flat) {
+      // A disc has half of its area within 1 / sqrt(2) of its radius, a line half of its length within 1 / 2.
+      CHECK(round == Approx(std::sqrt(2) * halves.away).epsilon(cos_in == 1 ? 0.02 : 0.1));
+      CHECK(flat == Approx(2 * halves.in_plane).epsilon(0.03));
+    };
+    check(halves_of(slope, reflect(incident, up),
+                    [&](const Vec3d& half) { return std::optional(reflect(incident, half)); }),
+          widened_by_mirrors(sharp, slope, cos_in, false).spread,
+          widened_by_mirrors(sharp, slope, cos_in, true).spread);
+    for (const auto& [n1, n2] : {std::pair(1.0, 1.5), std::pair(1.33, 1.0)}) {
+      CAPTURE(n1, n2);
+      const Refraction<double> own = refraction_at(incident, up, n1, n2);
+      if (own.total()) continue;
+      check(
+          halves_of(slope, *refract(incident, up, own),
+                    [&](const Vec3d& half) { return refract(incident, half, refraction_at(incident, half, n1, n2)); }),
+          widened_by_facets(sharp, slope, n1, n2, cos_in, own.cos_out, false).spread,
+          widened_by_facets(sharp, slope, n1, n2, cos_in, own.cos_out, true).spread);
+    }
+  }
+  CHECK(widened_by_mirrors(sharp, 1, 0.5, false).spread == Approx(std::sqrt(2) * 1.5));
+  // Squares add up; a cone that narrows widens by all of it.
+  CHECK(widened_by_mirrors({0.1, 1}, std::numbers::sqrt3 / 4, 1, true).spread == Approx(std::sqrt(2)));
+  CHECK(widened_by_mirrors({0.1, -0.5}, std::numbers::sqrt3 / 4, 1, true).spread == Approx(0.5));
+  CHECK(widened_by_facets(sharp, 1, 1.5, 1, 0.75, 0, false).spread == largest_spread);  // along the surface
 }
