@@ -55,7 +55,7 @@ std::string_view changes_for(Fault fault) {
            "render.photons.count = 20000";
   // Its corners the other way round: the wall shows its second side.
   if (fault == Fault::second_side_black)
-    return "Red wall.corners = [[0, 1.5, 3], [3, 1.5, 3], [3, 1.5, 0], [0, 1.5, 0]]";
+    return "'Red wall'.corners = [[0, 1.5, 3], [3, 1.5, 3], [3, 1.5, 0], [0, 1.5, 0]]";
   // So that a walk begins at once, with the fault and without it.
   if (integrator_of(fault) == Integrator::photons) return "render.photons.count = 20000";
   // A large panel, which rays meet by chance now and then.
@@ -75,6 +75,13 @@ int first_spoilt(const Timeline& broken, const Timeline& whole) {
   const auto at = std::mismatch(broken.pixels().begin(), broken.pixels().end(), whole.pixels().begin(),
                                 whole.pixels().end(), alike);
   return at.first == broken.pixels().end() ? 0 : static_cast<int>(at.first - broken.pixels().begin());
+}
+
+/// Else it runs before the pixels.
+bool runs_in(const Timeline& walk, const PixelRecord& pixel, Line line) {
+  for (int i = pixel.begun_at; i < pixel.done_at; ++i)
+    if (walk.event(i).line == line) return true;
+  return false;
 }
 
 void end_hunt(State& state, BugEnd end) {
@@ -132,7 +139,7 @@ void action::HuntBug::apply(State& state) const {
   const PixelRecord& pixel = pixels[static_cast<std::size_t>(hunt.first_pixel)];
   hunt.pixel = pixel.column;
   state.appearance.tab = PictureRoom::tab;
-  go_to(state, pixel.begun_at);
+  go_to(state, runs_in(*state.walk.timeline, pixel, faulty_line(fault)) ? pixel.begun_at : 0);
 }
 
 void action::MarkLine::apply(State& state) const {
