@@ -61,7 +61,7 @@ BugPanel bug_panel(const State& state) {
   panel.said.push_back({say("bug.seen"), know("symptom")});
   switch (hunt.end) {
     case BugEnd::open:
-      panel.said.push_back({{}, say("bug.task", {{"pixel", hunt.pixel}})});
+      panel.said.push_back({{}, say(hunt.from_start ? "bug.task_from_start" : "bug.task", {{"pixel", hunt.pixel}})});
       panel.marked =
           hunt.marked ? say("bug.line_marked", {{"line", line_text(state, *hunt.marked)}}) : say("bug.no_line_marked");
       panel.can_judge = hunt.marked.has_value();

@@ -139,7 +139,8 @@ void action::HuntBug::apply(State& state) const {
   const PixelRecord& pixel = pixels[static_cast<std::size_t>(hunt.first_pixel)];
   hunt.pixel = pixel.column;
   state.appearance.tab = PictureRoom::tab;
-  go_to(state, runs_in(*state.walk.timeline, pixel, faulty_line(fault)) ? pixel.begun_at : 0);
+  hunt.from_start = !runs_in(*state.walk.timeline, pixel, faulty_line(fault));
+  go_to(state, hunt.from_start ? 0 : pixel.begun_at);
 }
 
 void action::MarkLine::apply(State& state) const {

@@ -20,6 +20,7 @@ struct BugHunt {
   bool surprise = false;            ///< the number is not shown
   int pixel = 0;                    ///< the first of SCREEN in which the bug is visible
   int first_pixel = 0;              ///< the same as index in the walk's pixels: rays of earlier pixels are hidden
+  bool from_start = false;          ///< the bug is in what runs before the pixels: the walk begins there
   std::optional<Line> marked{};     ///< suspected, and not judged yet
   std::optional<Line> acquitted{};  ///< the last one judged innocent
   BugEnd end = BugEnd::open;
