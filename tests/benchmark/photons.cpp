@@ -65,18 +65,19 @@ Material matt(double albedo) {
 /// A small disk that glows above a glass ball; the camera looks at the floor below, past the ball.
 Scene below_the_ball() {
   Scene scene;
-  Material glass;
+  Material glass = matt(0);
   glass.reflection = Rgbd(0.04), glass.transmission = Rgbd(0.96);
   glass.dielectric = true, glass.ior = 1.5;
   scene.objects = {{"Floor", Plane<double>{{0, 0, 0}, {0, 0, 1}}, matt(0.7)},
                    {"Ball", Sphere<double>{{0, 0, 1.6}, 1}, glass},
-                   {"Lamp", Disk<double>{{0, 0, 6}, {0, 0, -1}, 0.15}, matt(0)}};
-  scene.objects.back().material.emission = Rgbd(100);
-  scene.camera.eye = {-4, 0, 1.2}, scene.camera.look_at = {0, 0, 0};
+                   {"Lamp", Disk<double>{{0, 0, 6}, {0, 0, -1}, 0.05}, matt(0)}};
+  scene.objects.back().material.emission = Rgbd(900);
+  scene.camera.eye = {-4, 0, 1.2}, scene.camera.look_at = {0, 0, 0}, scene.camera.up = {0, 0, 1};
   scene.camera.fov = FieldOfView{16};
-  scene.render.sampler = Sampler::random;
+  scene.background = scene.ambient = Rgbd(0.0);
   scene.render.photons.nearest = 40;
-  scene.render.photons.radius = 0.2;
+  scene.render.photons.radius = 0.1;
+  scene.render.photons.count = 200000;
   return scene;
 }
 
@@ -88,7 +89,7 @@ Picture render_by(Integrator integrator, int samples, std::uint64_t seed) {
   Scene scene = below_the_ball();
   scene.render.integrator = integrator;
   RenderSettings settings;
-  settings.size = ImageSize{24, 18};
+  settings.size = ImageSize{48, 36};
   settings.sampling.per_pixel = samples;
   settings.sampling.seed = seed;
   settings.threads = 1;
@@ -109,8 +110,8 @@ bool measure_caustic(int reference_samples) {
   const Picture reference = render_by(Integrator::path, reference_samples, 1);
   std::vector<double> ratios;
   for (std::uint64_t seed = 2; seed < 7; ++seed) {
-    const Picture photons = render_by(Integrator::photons, 4, seed);
-    const Picture paths = render_by(Integrator::path, 64, seed);
+    const Picture photons = render_by(Integrator::photons, 16, seed);
+    const Picture paths = render_by(Integrator::path, 256, seed);
     const double error = rms(photons.image, reference.image), of_paths = rms(paths.image, reference.image);
     const double time = paths.seconds * std::pow(of_paths / error, 2);
     std::printf("  photons %.4f in %.2f s, paths %.4f in %.2f s: to the photons' error in %.1f s\n", error,
@@ -151,7 +152,7 @@ bool measure_steps(int thousands) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const int thousands = argc > 1 ? std::atoi(argv[1]) : 1000, samples = argc > 2 ? std::atoi(argv[2]) : 1 << 16;
+  const int thousands = argc > 1 ? std::atoi(argv[1]) : 1000, samples = argc > 2 ? std::atoi(argv[2]) : 1 << 15;
   if (thousands < 1 || samples < 1) {
     std::fputs("usage: benchmark_photons [THOUSANDS OF PHOTONS] [SAMPLES OF A REFERENCE]\n", stderr);
     return 2;

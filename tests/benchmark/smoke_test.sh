@@ -16,6 +16,10 @@ grep -Eq '^[0-9]{4,} steps recorded in [0-9.]+ ms' <<<"$strip" || { echo "unexpe
 live=$("$folder/benchmark_live" "$scene" 3) || [ $? -eq 1 ]
 grep -Eq '^[0-9]{2,} items in a live frame: [0-9.]+ ms' <<<"$live" || { echo "unexpected: $live"; exit 1; }
 
+photons=$("$folder/benchmark_photons" 1 8) || [ $? -eq 1 ]
+grep -Eq '^map of 1000 photons: built in [0-9.]+ s' <<<"$photons" || { echo "unexpected: $photons"; exit 1; }
+grep -Eq '^[0-9]+ photons in the plan: a step in [0-9.]+ ms' <<<"$photons" || { echo "unexpected: $photons"; exit 1; }
+
 growth=$("$folder/benchmark_growth" 1000) || [ $? -eq 1 ]
 grep -Eq "clusters: kdtree costs more|trees grow no faster" <<<"$growth" || { echo "unexpected: $growth"; exit 1; }
 
