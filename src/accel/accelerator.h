@@ -8,6 +8,7 @@
 #include "math/words.h"
 
 #include <memory>
+#include <span>
 
 namespace raywalk {
 
@@ -47,6 +48,13 @@ class Accelerator {
   template <class AnyRay = Ray<T>>
   [[nodiscard]] bool occluded(const AnyRay& ray, T t_max, TestCounts& counts, const ShadowHints& hints = {}) const;
 
+  /// The same for many rays, each with a t_max, in order: neighbours that are coherent are searched together where that
+  /// is faster. What a ray is told, and about what it counts, is as if it were searched for alone.
+  void closest(std::span<const Ray<T>> rays, std::span<const T> t_max, std::span<std::optional<Hit<T>>> hits,
+               TestCounts& counts) const;
+  void occluded(std::span<const Ray<T>> rays, std::span<const T> t_max, std::span<bool> occluded,
+                TestCounts& counts) const;
+
   /// The same for the primitives whose role is to stop shadow rays. If none is hit, `filters` receives the ids,
   /// ascending, of the filtering primitives that are hit. `roles`: by primitive.
   template <class AnyRay = Ray<T>>
@@ -69,6 +77,9 @@ class Accelerator {
   bool found(Query& query, const AnyRay& ray, const ShadowHints& hints) const;
   template <class AnyRay, class Query>
   void search(const AnyRay& ray, Query& query) const;
+  template <class Query, class Tell, class... Accept>
+  void search_batch(std::span<const Ray<T>> rays, std::span<const T> t_max, TestCounts& counts, const Tell& tell,
+                    Accept... accept) const;
   template <class AnyRay, class Query>
   void search_structure(const AnyRay& ray, Query& query) const;
 
