@@ -59,11 +59,12 @@ inline bool RayPacket::alike(const MeshRay& a, const MeshRay& b) {
 }
 
 inline bool RayPacket::coherent(const MeshRay& a, const MeshRay& b, float near) {
-  constexpr float turn = 0.125F;  // of slopes along the axis that grows fastest
+  constexpr float turn = 0.0625F;  // of slopes along the axis that grows fastest
+  // What incoherent rays fail at comes first.
+  if (!(std::abs(a.shear[0] - b.shear[0]) < turn && std::abs(a.shear[1] - b.shear[1]) < turn)) return false;
   bool all = true;
   for (int axis = 0; axis < 3; ++axis)
     all &= a.axes[axis] == b.axes[axis] && std::abs(a.origin[axis] - b.origin[axis]) < near;
-  for (int axis = 0; axis < 2; ++axis) all &= std::abs(a.shear[axis] - b.shear[axis]) < turn;
   return all && alike(a, b);
 }
 

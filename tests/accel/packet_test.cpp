@@ -9,6 +9,7 @@
 #include <span>
 
 #include "accel/accelerator.h"
+#include "accel/lanes_four.h"
 #include "accel/library.h"
 #include "accel/ray_packet.h"
 #include "accel/width.h"
@@ -127,6 +128,79 @@ TEMPLATE_TEST_CASE("rays that are searched together are told what each is told a
   }
   CHECK(differing == 0);
   CHECK(hits > 10 * batches);
+}
+
+TEST_CASE("a packet's test lets pass each box that a ray's own test lets pass, and entered no later", "[accel]") {
+  Numbers next(11);
+  const auto of_any_size = [&] { return std::ldexp(next.real(), next.integer(-20, 20)); };
+  int met = 0, lost = 0, late = 0, others = 0;
+  for (int round = 0; round < rounds(4000); ++round) {
+    // Slopes of one sign an axis, nearly alike or not at all.
+    const Vec3d sign(next.integer(0, 1) * 2 - 1, next.integer(0, 1) * 2 - 1, next.integer(0, 1) * 2 - 1);
+    const double spread = std::pow(10.0, -next.integer(0, 5)), size = std::abs(of_any_size());
+    const Vec3d slope(next.real(0.1, 1), next.real(0.1, 1), next.real(1e-3, 1));
+    std::vector<MeshRay> rays;
+    const auto count = static_cast<std::size_t>(next.integer(1, 16));
+    while (rays.size() < count) {
+      Ray<float> ray;
+      for (int axis = 0; axis < 3; ++axis) {
+        ray.origin[axis] = static_cast<float>(size * (-2 * sign[axis] + spread * next.real()));
+        ray.direction[axis] = static_cast<float>(sign[axis] * slope[axis] * (1 + spread * next.real(-0.9, 5)));
+      }
+      rays.emplace_back(ray, ShearedRay<float>(ray));
+      REQUIRE(RayPacket::alike(rays[0], rays.back()));
+    }
+    RayPacket packet(rays);
+    WideNode node{};
+    node.count = static_cast<std::uint32_t>(next.integer(1, 8));
+    for (unsigned lane = 0; lane < tree_width; ++lane)
+      for (int axis = 0; axis < 3; ++axis) {
+        // Some flat, some begin where rays do.
+        const double at = size * next.real(-2, 2), width = size * spread * next.real(0, 4) * next.integer(0, 1);
+        const double low = next.integer(0, 9) == 0 ? -2 * size * sign[axis] : at;
+        const bool empty = lane >= node.count;
+        node.planes[axis][lane] = empty ? infinity<float> : static_cast<float>(low);
+        node.planes[axis + 3][lane] = empty ? -infinity<float> : static_cast<float>(low + width);
+      }
+    // Most boxes are moved onto a ray.
+    for (unsigned lane = 0; lane < node.count; ++lane) {
+      if (lane % 4 == 3) continue;
+      const MeshRay& ray = rays[static_cast<std::size_t>(next.integer(0, static_cast<int>(count) - 1))];
+      const double t = size * next.real(0, 4);
+      for (int axis = 0; axis < 3; ++axis) {
+        const float width = node.planes[axis + 3][lane] - node.planes[axis][lane];
+        const double at = static_cast<double>(ray.from_in[axis]) + t / static_cast<double>(ray.inverse[axis]);
+        node.planes[axis][lane] = static_cast<float>(at - next.real(0, 1) * static_cast<double>(width));
+        node.planes[axis + 3][lane] = node.planes[axis][lane] + width;
+      }
+    }
+    float most = 0;
+    for (unsigned i = 0; i < count; ++i) {
+      packet.t_far[i] = next.integer(0, 2) == 0 ? static_cast<float>(size * next.real(0, 4)) : infinity<float>;
+      most = std::max(most, packet.t_far[i]);
+    }
+    alignas(32) BoxEntry together[tree_width], alone[tree_width];
+    const unsigned bits = four::meet(packet, most, node, together);
+    std::vector<unsigned> by_box(tree_width, 0);
+    for (unsigned i = 0; i < count; ++i) {
+      four::HeldRay held;
+      four::hold(rays[i], packet.t_far[i], held);
+      const unsigned own = four::meet(held, node, alone);
+      lost += (own & ~bits) != 0;
+      for (unsigned lane = 0; lane < node.count; ++lane) {
+        if ((own >> lane & 1) == 0) continue;
+        ++met;
+        late += together[lane].t() > alone[lane].t();
+        by_box[lane] |= 1U << i;
+      }
+    }
+    for (unsigned lane = 0; lane < node.count; ++lane)
+      others += four::rays_that_meet(packet, node, lane, packet.all()) != by_box[lane];
+  }
+  CHECK(lost == 0);
+  CHECK(late == 0);
+  CHECK(others == 0);
+  CHECK(met > rounds(4000));
 }
 
 TEST_CASE("coherent rays that are searched together meet about the nodes that they meet alone", "[accel]") {
