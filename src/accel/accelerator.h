@@ -48,8 +48,9 @@ class Accelerator {
   template <class AnyRay = Ray<T>>
   [[nodiscard]] bool occluded(const AnyRay& ray, T t_max, TestCounts& counts, const ShadowHints& hints = {}) const;
 
-  /// The same for many rays, each with a t_max, in order: neighbours that are coherent are searched together where that
-  /// is faster. What a ray is told, and about what it counts, is as if it were searched for alone.
+  /// The same for many rays, each with its t_max, in order. Neighbours that are coherent are searched together
+  /// (accel/packet_search.h). Each is told what it is told alone, and a node or test counts once for each ray that
+  /// makes it.
   void closest(std::span<const Ray<T>> rays, std::span<const T> t_max, std::span<std::optional<Hit<T>>> hits,
                TestCounts& counts) const;
   void occluded(std::span<const Ray<T>> rays, std::span<const T> t_max, std::span<bool> occluded,

@@ -37,8 +37,8 @@ class MeshBvh {
     search_all(slabs_of(ray, primitives), ray, primitives, query);
   }
 
-  /// The same for the rays of several queries, RayPacket::most at most: each has the answer that it has alone.
-  /// Neighbours that are coherent are searched together (accel/packet_search.h).
+  /// The same for several queries with the same TestCounts, RayPacket::most at most: each has the answer that it has
+  /// alone. Neighbours that are coherent are searched together (accel/packet_search.h).
   template <class Query>
   [[gnu::noinline]] void search(std::span<std::optional<Query>> queries, const Primitives<T>& primitives) const {
     std::array<MeshRay, RayPacket::most> rays;

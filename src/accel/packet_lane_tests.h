@@ -3,9 +3,9 @@
 
 /// A bit for each box of the node that some ray of the packet may hit before `t_far`, and a bound of where the first
 /// enters it: interval arithmetic (I. Wald, S. Boulos and P. Shirley, "Ray tracing deformable scenes using dynamic
-/// bounding volume hierarchies", 2007). A ray's own test rounds (plane - from) * inverse. Rounding keeps order, so that
-/// the same with the bound of `from`, and the lesser or the greater of the products with either bound of `inverse`, is
-/// not above or below what any ray gets: no box is left out that a ray's own test lets pass. None of it is NaN.
+/// bounding volume hierarchies", 2007). A ray's own test rounds (plane - from) * inverse. Rounding keeps order: with
+/// the right bound of `from`, the lesser of the products with the bounds of `inverse` is no more than any ray gets, and
+/// the greater no less. So no box is left out that a ray's own test lets pass. None of it is NaN.
 RAYWALK_LANE_TARGET inline unsigned meet(const RayPacket& packet, float t_far, const WideNode& node,
                                          BoxEntry* entries) {
   unsigned bits = 0;

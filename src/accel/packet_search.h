@@ -6,9 +6,9 @@
 
 namespace raywalk {
 
-/// One search for several rays. A node's boxes are tested once for all of them, each box that is entered by each ray's
-/// own test, and a leaf's triangles by that of each ray that meets its box. Between two calls of `next`, the caller
-/// tests what was found for each ray.
+/// One search for several rays. The boxes of a node are tested once for all of them; one that passes is tested by each
+/// ray, all at a time, when its turn comes; and the triangles of a leaf by each ray that meets its box. Between two
+/// calls of `next`, the caller tests what was found for each ray.
 class PacketSearch {
  public:
   /// Of rays that are alike, RayPacket::most at most, which outlive this, as the tree does. `nearest_first`: whether
