@@ -1,6 +1,7 @@
 #include "accel/search.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 
 namespace raywalk {
@@ -44,6 +45,43 @@ bool Accelerator<T>::within(const Shaft& shaft, Departure departure, std::vector
   for (int id = 0; id < primitives_.size(); ++id)
     if (may_cross(shaft, primitives_, boxes_[static_cast<std::size_t>(id)], id, departure)) ids.push_back(id);
   return true;
+}
+
+/// `tell(i, query)`: when the search for ray i is over.
+template <class T>
+template <class Query, class Tell, class... Accept>
+void Accelerator<T>::search_batch(std::span<const Ray<T>> rays, std::span<const T> t_max, TestCounts& counts,
+                                  const Tell& tell, Accept... accept) const {
+  const auto* tree = std::get_if<MeshBvh<T>>(&structure_->any);
+  std::array<std::optional<Query>, RayPacket::most> queries;
+  for (std::size_t first = 0; first < rays.size(); first += queries.size()) {
+    const std::size_t count = std::min(queries.size(), rays.size() - first);
+    for (std::size_t i = 0; i < count; ++i) {
+      queries[i].emplace(primitives_, rays[first + i], t_max[first + i], counts, accept...);
+      if (tree == nullptr) {
+        search(rays[first + i], *queries[i]);
+      } else {
+        for (const int id : unbounded_)
+          if (queries[i]->test(primitives_, id)) break;
+      }
+    }
+    if (tree != nullptr) tree->search(std::span(queries).first(count), primitives_);
+    for (std::size_t i = 0; i < count; ++i) tell(first + i, *queries[i]);
+  }
+}
+
+template <class T>
+void Accelerator<T>::closest(std::span<const Ray<T>> rays, std::span<const T> t_max,
+                             std::span<std::optional<Hit<T>>> hits, TestCounts& counts) const {
+  search_batch<ClosestQuery<T, AnyPrimitive, Ray<T>>>(
+      rays, t_max, counts, [&](std::size_t i, const auto& query) { hits[i] = query.nearest(); }, AnyPrimitive{});
+}
+
+template <class T>
+void Accelerator<T>::occluded(std::span<const Ray<T>> rays, std::span<const T> t_max, std::span<bool> occluded,
+                              TestCounts& counts) const {
+  search_batch<OcclusionQuery<T, Ray<T>>>(rays, t_max, counts,
+                                          [&](std::size_t i, const auto& query) { occluded[i] = query.found(); });
 }
 
 template class Accelerator<float>;

@@ -8,6 +8,7 @@
 #include "math/words.h"
 
 #include <memory>
+#include <span>
 
 namespace raywalk {
 
@@ -47,6 +48,14 @@ class Accelerator {
   template <class AnyRay = Ray<T>>
   [[nodiscard]] bool occluded(const AnyRay& ray, T t_max, TestCounts& counts, const ShadowHints& hints = {}) const;
 
+  /// The same for many rays, each with its t_max, in order. Neighbours that are coherent are searched together
+  /// (accel/packet_search.h). Each is told what it is told alone, and a node or test counts once for each ray that
+  /// makes it.
+  void closest(std::span<const Ray<T>> rays, std::span<const T> t_max, std::span<std::optional<Hit<T>>> hits,
+               TestCounts& counts) const;
+  void occluded(std::span<const Ray<T>> rays, std::span<const T> t_max, std::span<bool> occluded,
+                TestCounts& counts) const;
+
   /// The same for the primitives whose role is to stop shadow rays. If none is hit, `filters` receives the ids,
   /// ascending, of the filtering primitives that are hit. `roles`: by primitive.
   template <class AnyRay = Ray<T>>
@@ -69,6 +78,9 @@ class Accelerator {
   bool found(Query& query, const AnyRay& ray, const ShadowHints& hints) const;
   template <class AnyRay, class Query>
   void search(const AnyRay& ray, Query& query) const;
+  template <class Query, class Tell, class... Accept>
+  void search_batch(std::span<const Ray<T>> rays, std::span<const T> t_max, TestCounts& counts, const Tell& tell,
+                    Accept... accept) const;
   template <class AnyRay, class Query>
   void search_structure(const AnyRay& ray, Query& query) const;
 

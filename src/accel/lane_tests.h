@@ -11,6 +11,11 @@ struct HeldRay {
   float reach;
 };
 
+/// How deep along the ray `t_far` is, rounded up.
+RAYWALK_LANE_TARGET inline float reach_of(const MeshRay& ray, float t_far) {
+  return t_far * ray.depth_per_t * (1 + 8 * std::numeric_limits<float>::epsilon());
+}
+
 RAYWALK_LANE_TARGET inline void hold(const MeshRay& ray, float t_far, HeldRay& held) {
   for (int axis = 0; axis < 3; ++axis) {
     held.from_in[axis] = all_of(ray.from_in[axis]), held.from_out[axis] = all_of(ray.from_out[axis]);
@@ -19,7 +24,7 @@ RAYWALK_LANE_TARGET inline void hold(const MeshRay& ray, float t_far, HeldRay& h
   }
   held.t_far = all_of(t_far);
   held.ray = &ray;
-  held.reach = t_far * ray.depth_per_t * (1 + 8 * std::numeric_limits<float>::epsilon());
+  held.reach = reach_of(ray, t_far);
 }
 
 /// The lanes at a byte offset from the first, and those of a later group.
@@ -63,7 +68,7 @@ RAYWALK_LANE_TARGET inline Group largest(Group a, Group b, Group c) {
 }
 
 /// A bit for each of the pack's first `count` lanes, unless the ray certainly misses its triangle or reaches it only
-/// beyond `t_far`.
+/// beyond `reach_of` its t_far.
 ///
 /// The test is that of shape/triangle.h. With h = 2^-24, half an ulp of 1, a corner's x or y errs by at most 3h|x| +
 /// 6h|z| + 4h|o|: h each of x and z by the difference; where positions are in double, h each of x, z and twice of the
@@ -76,8 +81,8 @@ RAYWALK_LANE_TARGET inline Group largest(Group a, Group b, Group c) {
 /// function's error, can be trusted from four on. Below the smallest normal float all rounding is less than `grain` and
 /// `least` account for. Where something leaves float's range, or is NaN, no comparison is true, and nothing is ruled
 /// out.
-RAYWALK_LANE_TARGET inline unsigned sift(const HeldRay& held, const TrianglePack& pack, unsigned count) {
-  const MeshRay& ray = *held.ray;
+RAYWALK_LANE_TARGET inline unsigned sift(const MeshRay& ray, float held_reach, const TrianglePack& pack,
+                                         unsigned count) {
   constexpr float half_ulp = std::numeric_limits<float>::epsilon() / 2, least = std::numeric_limits<float>::min();
   const unsigned all = (1U << count) - 1;
   unsigned missed = 0;
@@ -94,7 +99,7 @@ RAYWALK_LANE_TARGET inline unsigned sift(const HeldRay& held, const TrianglePack
     // The interval of the triangle's depth along the ray; t is computed to within less than the triangle's own extent.
     const Group forward = all_of(ray.forward), az = a.z * forward, bz = b.z * forward, cz = c.z * forward;
     const Group nearest = min(az, min(bz, cz)), farthest = max(az, max(bz, cz));
-    const Group margin = corner_error + corner_error, reach = all_of(held.reach);
+    const Group margin = corner_error + corner_error, reach = all_of(held_reach);
     const auto behind = farthest < -corner_error;
     const auto beyond = nearest - (farthest - nearest) > reach + margin;
     // Where the triangle is seen broadly enough, its depth on the ray itself, times its area.

@@ -3,6 +3,7 @@
 #include "accel/accelerator.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <new>
 #include <stdexcept>
@@ -59,6 +60,27 @@ std::optional<Ray<T>> ray_of(const RayQuery<T>& query, std::size_t triangles) {
   return ray;
 }
 
+constexpr std::size_t most_at_once = 64;  ///< rays of a batch that are handed on at once
+
+/// Calls `search(rays, t_max, at)` with the rays that can meet something, a few neighbours at a time; `at`: where in
+/// `queries` each is.
+template <class T, class Search>
+void in_blocks(std::span<const RayQuery<T>> queries, std::size_t triangles, const Search& search) {
+  std::array<Ray<T>, most_at_once> rays;
+  std::array<T, most_at_once> t_max;
+  std::array<std::size_t, most_at_once> at;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    if (const auto ray = ray_of(queries[i], triangles)) {
+      rays[count] = *ray, t_max[count] = queries[i].t_max, at[count] = i;
+      ++count;
+    }
+    if (count < most_at_once && i + 1 < queries.size()) continue;
+    search(std::span<const Ray<T>>(rays.data(), count), std::span<const T>(t_max.data(), count), at);
+    count = 0;
+  }
+}
+
 }  // namespace
 
 const char* words_for(BuildProblem problem) noexcept {
@@ -84,6 +106,12 @@ const char* words_for(BuildProblem problem) noexcept {
 template <class T>
 struct TriangleSet<T>::Built {
   Accelerator<T> accelerator;
+
+  [[nodiscard]] TriangleHit<T> told(const Ray<T>& ray, const Hit<T>& hit) const {
+    const Triangle<T> triangle = accelerator.primitives().triangles()[hit.primitive];
+    const Vec2<T> weights = barycentric(triangle, ray.at(hit.t));
+    return {hit.t, static_cast<std::uint32_t>(hit.primitive), weights.x, weights.y};
+  }
 };
 
 template <class T>
@@ -108,10 +136,7 @@ std::optional<TriangleHit<T>> TriangleSet<T>::closest(const RayQuery<T>& query) 
   if (!ray) return std::nullopt;
   TestCounts counts;
   const auto hit = built_->accelerator.closest(*ray, query.t_max, counts);
-  if (!hit) return std::nullopt;
-  const Triangle<T> triangle = built_->accelerator.primitives().triangles()[hit->primitive];
-  const Vec2<T> weights = barycentric(triangle, ray->at(hit->t));
-  return TriangleHit<T>{hit->t, static_cast<std::uint32_t>(hit->primitive), weights.x, weights.y};
+  return hit ? std::optional(built_->told(*ray, *hit)) : std::nullopt;
 }
 
 template <class T>
@@ -124,12 +149,27 @@ bool TriangleSet<T>::any(const RayQuery<T>& query) const noexcept {
 template <class T>
 void TriangleSet<T>::closest(std::span<const RayQuery<T>> rays,
                              std::span<std::optional<TriangleHit<T>>> hits) const noexcept {
-  for (std::size_t i = 0; i < std::min(rays.size(), hits.size()); ++i) hits[i] = closest(rays[i]);
+  const std::size_t size = std::min(rays.size(), hits.size());
+  std::fill_n(hits.begin(), size, std::nullopt);
+  in_blocks(rays.first(size), this->size(), [&](const auto& valid, const auto& t_max, const auto& at) {
+    TestCounts counts;
+    std::array<std::optional<Hit<T>>, most_at_once> found;
+    built_->accelerator.closest(valid, t_max, std::span(found).first(valid.size()), counts);
+    for (std::size_t i = 0; i < valid.size(); ++i)
+      if (found[i]) hits[at[i]] = built_->told(valid[i], *found[i]);
+  });
 }
 
 template <class T>
 void TriangleSet<T>::any(std::span<const RayQuery<T>> rays, std::span<bool> met) const noexcept {
-  for (std::size_t i = 0; i < std::min(rays.size(), met.size()); ++i) met[i] = any(rays[i]);
+  const std::size_t size = std::min(rays.size(), met.size());
+  std::fill_n(met.begin(), size, false);
+  in_blocks(rays.first(size), this->size(), [&](const auto& valid, const auto& t_max, const auto& at) {
+    TestCounts counts;
+    std::array<bool, most_at_once> found;
+    built_->accelerator.occluded(valid, t_max, std::span(found).first(valid.size()), counts);
+    for (std::size_t i = 0; i < valid.size(); ++i) met[at[i]] = found[i];
+  });
 }
 
 template <class T>

@@ -85,7 +85,8 @@ class TriangleSet {
   [[nodiscard]] std::optional<TriangleHit<T>> closest(const RayQuery<T>& ray) const noexcept;
   /// Whether there is any: for shadows.
   [[nodiscard]] bool any(const RayQuery<T>& ray) const noexcept;
-  /// The same for many rays, in order; as many as the shorter of the two spans holds.
+  /// The same for many rays, in order; as many as the shorter of the two spans holds. Neighbours that begin near each
+  /// other and go nearly the same way, such as those of a square of pixels, are searched together, which is faster.
   void closest(std::span<const RayQuery<T>> rays, std::span<std::optional<TriangleHit<T>>> hits) const noexcept;
   void any(std::span<const RayQuery<T>> rays, std::span<bool> met) const noexcept;
 

@@ -1,13 +1,16 @@
 #pragma once
 
 #include "accel/mesh_copies.h"
+#include "accel/packet_search.h"
 #include "accel/search_record.h"
 #include "accel/wide_search.h"
 
 #include <array>
 #include <bit>
 #include <cmath>
+#include <memory>
 #include <optional>
+#include <span>
 #include <type_traits>
 
 namespace raywalk {
@@ -32,6 +35,31 @@ class MeshBvh {
   template <class Query>
   [[gnu::noinline]] void search(const NaiveRay<T>& ray, const Primitives<T>& primitives, Query& query) const {
     search_all(slabs_of(ray, primitives), ray, primitives, query);
+  }
+
+  /// The same for several queries with the same TestCounts, RayPacket::most at most: each has the answer that it has
+  /// alone. Neighbours that are coherent are searched together (accel/packet_search.h).
+  template <class Query>
+  [[gnu::noinline]] void search(std::span<std::optional<Query>> queries, const Primitives<T>& primitives) const {
+    std::array<MeshRay, RayPacket::most> rays;
+    for (std::size_t i = 0; i < queries.size(); ++i)
+      std::construct_at(&rays[i], queries[i]->ray(), queries[i]->sheared());
+    const float near = near_each_other();
+    for (std::size_t first = 0, end = 1; first < queries.size(); first = end++) {
+      while (end < queries.size() && RayPacket::coherent(rays[first], rays[end], near)) ++end;
+      const bool together = end - first >= fewest_together;
+      if (together) walk(std::span(rays).subspan(first, end - first), primitives, queries.subspan(first));
+      for (std::size_t i = first; i < end; ++i) {
+        Query& query = *queries[i];
+        if (query.over()) continue;
+        if (!rays[i].held)
+          walk_beyond_float(query.ray(), primitives, query);
+        else if (!together)
+          search_all(rays[i], query.ray(), primitives, query);
+        else if (copies_)
+          copies_->search(rays[i], query.ray(), primitives, query);
+      }
+    }
   }
 
   void list_nodes(std::vector<StructureNode>& nodes, std::size_t most) const {
@@ -67,27 +95,51 @@ class MeshBvh {
     if constexpr (Watching<Query>) record = &query.record();
     WideSearch<Terms> search(tree_, terms, Query::shortens, record);
     while (search.next(query.t_far()))
-      if (test_leaf(search, primitives, query)) break;
+      if (test_leaf<Terms>(search.found(), primitives, query)) break;
     query.count(search.nodes(), search.passed_over());
+  }
+
+  static constexpr std::size_t fewest_together = 4;  ///< rays that a packet pays for
+  /// How far the origins of coherent rays may be apart.
+  [[nodiscard]] float near_each_other() const {
+    const Vec3<float> size = tree_.box().max - tree_.box().min;
+    return 0.125F * std::max({size.x, size.y, size.z});
+  }
+
+  template <class Query>
+  void walk(std::span<const MeshRay> rays, const Primitives<T>& primitives,
+            std::span<std::optional<Query>> queries) const {
+    PacketSearch search(tree_, rays, Query::shortens);
+    for (unsigned ray = 0; ray < rays.size(); ++ray)
+      if (!queries[ray]->over()) search.set_far(ray, queries[ray]->t_far());
+    while (search.next())
+      for (unsigned bits = search.rays(); bits != 0; bits &= bits - 1) {
+        const auto ray = static_cast<unsigned>(std::countr_zero(bits));
+        Query& query = *queries[ray];
+        if (test_leaf<MeshRay>(search.found(ray), primitives, query))
+          search.finish(ray);
+        else if constexpr (Query::shortens)
+          search.set_far(ray, query.t_far());
+      }
+    queries[0]->count(search.nodes(), search.passed_over());
   }
 
   /// Tests what the search has found; true when it is over.
   template <class Terms, class Query>
-  [[gnu::flatten]] static bool test_leaf(const WideSearch<Terms>& search, const Primitives<T>& primitives,
-                                         Query& query) {
-    const unsigned ruled_out = search.ruled_out();
+  [[gnu::flatten]] static bool test_leaf(const FoundLeaf& leaf, const Primitives<T>& primitives, Query& query) {
+    const unsigned ruled_out = leaf.ruled_out;
     if constexpr (Watching<Query>) {
-      for (unsigned bits = search.candidates() | ruled_out; bits != 0; bits &= bits - 1) {
-        const int lane = std::countr_zero(bits), id = search.ids()[lane];
+      for (unsigned bits = leaf.candidates | ruled_out; bits != 0; bits &= bits - 1) {
+        const int lane = std::countr_zero(bits), id = leaf.ids[lane];
         if ((ruled_out >> lane & 1) != 0)
           query.rule_out(primitives, id);
         else if (query.test(primitives, id))
           return true;
       }
     } else {
-      for (unsigned bits = search.candidates(); bits != 0; bits &= bits - 1) {
+      for (unsigned bits = leaf.candidates; bits != 0; bits &= bits - 1) {
         const int lane = std::countr_zero(bits);
-        if (!test_lane(search, static_cast<std::size_t>(lane), primitives, query)) continue;
+        if (!test_lane<Terms>(leaf, static_cast<std::size_t>(lane), primitives, query)) continue;
         query.count(0, bit_counts[ruled_out & ((1U << lane) - 1)]);
         return true;
       }
@@ -97,12 +149,11 @@ class MeshBvh {
   }
 
   template <class Terms, class Query>
-  static bool test_lane(const WideSearch<Terms>& search, std::size_t lane, const Primitives<T>& primitives,
-                        Query& query) {
-    const int id = search.ids()[lane];
+  static bool test_lane(const FoundLeaf& leaf, std::size_t lane, const Primitives<T>& primitives, Query& query) {
+    const int id = leaf.ids[lane];
     // Packs hold triangles as they are, where these are in float. (Naive rays test them by other means.)
     if constexpr (std::is_same_v<T, float> && std::is_same_v<Terms, MeshRay>) {
-      if (const TrianglePack* pack = search.pack(); pack != nullptr && !std::isnan(pack->corners[0][0][lane])) {
+      if (const TrianglePack* pack = leaf.pack; pack != nullptr && !std::isnan(pack->corners[0][0][lane])) {
         return query.test(primitives, id, [=](int corner, int axis) { return pack->corners[corner][axis][lane]; });
       }
     }

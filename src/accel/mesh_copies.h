@@ -59,8 +59,8 @@ class MeshCopies {
     SearchRecord* record = record_of(query);
     WideSearch<Terms> search(over_copies_, terms, Query::shortens, record);
     while (!query.over() && search.next(query.t_far()))
-      for (unsigned bits = search.candidates(); bits != 0 && !query.over(); bits &= bits - 1)
-        search_copy(static_cast<std::size_t>(search.ids()[std::countr_zero(bits)]), ray, primitives, query);
+      for (unsigned bits = search.found().candidates; bits != 0 && !query.over(); bits &= bits - 1)
+        search_copy(static_cast<std::size_t>(search.found().ids[std::countr_zero(bits)]), ray, primitives, query);
     query.count(search.nodes(), 0);
   }
 
@@ -112,10 +112,10 @@ class MeshCopies {
   template <class Terms, class Query>
   static bool test_pack(const WideSearch<Terms>& search, const MeshCopy& copy, int first,
                         const Primitives<T>& primitives, Query& query) {
-    const unsigned ruled_out = search.ruled_out();
+    const unsigned ruled_out = search.found().ruled_out;
     if constexpr (Watching<Query>) {
-      for (unsigned bits = search.candidates() | ruled_out; bits != 0; bits &= bits - 1) {
-        const int lane = std::countr_zero(bits), id = first + search.ids()[lane];
+      for (unsigned bits = search.found().candidates | ruled_out; bits != 0; bits &= bits - 1) {
+        const int lane = std::countr_zero(bits), id = first + search.found().ids[lane];
         if ((ruled_out >> lane & 1) != 0)
           query.rule_out(primitives, id);
         else if (query.test(primitives, id))
@@ -123,8 +123,8 @@ class MeshCopies {
       }
     } else {
       query.count(0, static_cast<std::uint64_t>(std::popcount(ruled_out)));
-      for (unsigned bits = search.candidates(); bits != 0; bits &= bits - 1) {
-        const std::int32_t of_mesh = search.ids()[std::countr_zero(bits)];
+      for (unsigned bits = search.found().candidates; bits != 0; bits &= bits - 1) {
+        const std::int32_t of_mesh = search.found().ids[std::countr_zero(bits)];
         if constexpr (std::is_same_v<Terms, NaiveSlabRay<T>>) {
           if (query.test(primitives, first + of_mesh)) return true;
         } else {

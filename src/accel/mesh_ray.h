@@ -16,6 +16,7 @@ namespace raywalk {
 
 /// The terms of a ray, of either precision, that its tests share.
 struct MeshRay {
+  MeshRay() = default;  ///< means nothing
   /// `sheared`: the same ray.
   template <class T>
   MeshRay(const Ray<T>& ray, const ShearedRay<T>& sheared);
@@ -34,8 +35,8 @@ struct MeshRay {
   // Of triangles, whose corners are sheared so that the ray is the z axis (shape/triangle.h): where in a corner of a
   // TrianglePack the axes that become x, y and z are, in bytes; the origin along them; the shear; how z grows with t,
   // and its sign alone; and what the error of a corner is in proportion to besides the corner.
-  std::uint32_t axes[3] = {};
-  float origin[3] = {}, shear[2] = {}, depth_per_t = 1, forward = 1, grain = 0;
+  std::uint32_t axes[3];
+  float origin[3], shear[2], depth_per_t, forward, grain;
 
  private:
   static constexpr std::uint32_t lanes_bytes = tree_width * sizeof(float);
@@ -69,6 +70,13 @@ inline MeshRay::MeshRay(const Ray<double>& ray, const ShearedRay<double>& sheare
   // depth that a turned ray would need.
   grain += most / (4 * half_ulp);
   if (!(turned < half_ulp)) grain = std::numeric_limits<float>::infinity();
+}
+
+/// Not before t_far.
+template <class T>
+[[nodiscard]] float far_in_float(T t_far) {
+  constexpr float most = std::numeric_limits<float>::max(), epsilon = std::numeric_limits<float>::epsilon();
+  return t_far < static_cast<T>(most) ? static_cast<float>(t_far) * (1 + 4 * epsilon) : infinity<float>;
 }
 
 template <class T>

@@ -86,6 +86,7 @@ class Query {
     counts_.nodes += nodes;
     counts_.primitives += ruled_out;
   }
+  [[nodiscard]] const AnyRay& ray() const { return ray_; }
   /// The ray as triangle tests need it; only where there are triangles.
   [[nodiscard]] const ShearedRay<T>& sheared() const { return *sheared_; }
   [[nodiscard]] const TestCounts& counts() const { return counts_; }  ///< previous searches included

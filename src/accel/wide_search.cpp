@@ -1,39 +1,13 @@
 #include "accel/wide_search.h"
 
+#include "accel/lanes_four.h"
 #include "accel/wide_search_eight.h"
 #include "accel/wide_search_loop.h"
 #include "accel/width.h"
 
-#include <cstring>
-
 namespace raywalk {
 
 namespace {
-
-namespace four {
-
-using Group = Lanes;
-constexpr unsigned group_lanes = 4;
-inline Group all_of(float value) { return all_lanes(value); }
-inline Group loaded(const float* from) {
-  Group lanes;
-  std::memcpy(&lanes, from, sizeof lanes);
-  return lanes;
-}
-inline void store_entries(BoxEntry* entries, unsigned lane, Group enters) {
-  constexpr int keep = ~static_cast<int>(BoxEntry::lane_bits);
-  const int first = static_cast<int>(lane);
-  const LaneMask bits = (reinterpret_cast<LaneMask>(enters) & LaneMask{keep, keep, keep, keep}) |
-                        LaneMask{first, first + 1, first + 2, first + 3};
-  std::memcpy(static_cast<void*>(entries + lane), &bits, sizeof bits);
-}
-inline unsigned bits_where(LaneMask mask) { return bits_of(mask); }
-
-#define RAYWALK_LANE_TARGET
-#include "accel/lane_tests.h"
-#undef RAYWALK_LANE_TARGET
-
-}  // namespace four
 
 struct FourAtATime {
   using Held = four::HeldRay;
@@ -42,7 +16,7 @@ struct FourAtATime {
     return four::meet(ray, node, entries);
   }
   static unsigned sift(const Held& ray, const TrianglePack& pack, unsigned count) {
-    return four::sift(ray, pack, count);
+    return four::sift(*ray.ray, ray.reach, pack, count);
   }
 };
 

@@ -51,6 +51,14 @@ class BoxEntry {
   std::uint32_t bits_;
 };
 
+/// A leaf that a search has found: its primitives, bits of those that may be hit, and bits of those that are certainly
+/// not hit before t_far. The ids of a leaf without triangles may all be hit.
+struct FoundLeaf {
+  const std::int32_t* ids = nullptr;
+  const TrianglePack* pack = nullptr;  ///< null for a leaf without triangles
+  unsigned candidates = 0, ruled_out = 0;
+};
+
 /// One search. Between two calls of `next`, the caller tests what was found and may shorten the ray.
 template <class Terms>
 class WideSearch {
@@ -67,12 +75,7 @@ class WideSearch {
     return advance_(*this, rounded(t_far));
   }
 
-  /// Of the leaf: its primitives, bits of those that may be hit, and bits of those that are certainly not hit before
-  /// `t_far`. The ids of a leaf without triangles may all be hit.
-  [[nodiscard]] const std::int32_t* ids() const { return ids_; }
-  [[nodiscard]] const TrianglePack* pack() const { return pack_; }  ///< null for a leaf without triangles
-  [[nodiscard]] unsigned candidates() const { return candidates_; }
-  [[nodiscard]] unsigned ruled_out() const { return ruled_out_; }
+  [[nodiscard]] const FoundLeaf& found() const { return found_; }
 
   /// Since the beginning: nodes entered, and primitives ruled out in leaves where nothing else was left.
   [[nodiscard]] std::uint64_t nodes() const { return nodes_; }
@@ -85,24 +88,19 @@ class WideSearch {
     BoxEntry entry;  ///< into its box
   };
 
-  /// Not before t_far where it is rounded; for boxes in double as it is.
   template <class T>
   static Far rounded(T t_far) {
-    if constexpr (std::is_same_v<Terms, MeshRay>) {
-      constexpr float most = std::numeric_limits<float>::max(), epsilon = std::numeric_limits<float>::epsilon();
-      return t_far < static_cast<T>(most) ? static_cast<float>(t_far) * (1 + 4 * epsilon) : infinity<float>;
-    } else {
+    if constexpr (std::is_same_v<Terms, MeshRay>)
+      return far_in_float(t_far);
+    else
       return static_cast<Far>(t_far);
-    }
   }
 
   const WideTree& tree_;
   const Terms& terms_;
   SearchRecord* record_;
   bool (*advance_)(WideSearch&, Far);
-  const std::int32_t* ids_ = nullptr;
-  const TrianglePack* pack_ = nullptr;
-  unsigned candidates_ = 0, ruled_out_ = 0;
+  FoundLeaf found_;
   std::uint64_t nodes_ = 0, passed_over_ = 0;
   std::vector<Bounds<float>> boxes_;  ///< of the entries on the stack, with a record
   std::size_t waiting_ = 0;           ///< entries on the stack

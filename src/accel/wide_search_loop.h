@@ -57,19 +57,15 @@ struct SearchLoop {
       if constexpr (watched) search.record_->opened(box, at.count());
       const unsigned all = (1U << at.count()) - 1;
       if (at.is_pack()) {
-        search.pack_ = &search.tree_.pack(at.index());
-        search.ids_ = search.pack_->ids;
-        search.candidates_ = Tests::sift(held, *search.pack_, at.count());
-        search.ruled_out_ = all & ~search.candidates_;
-        if (!watched && search.candidates_ == 0) {
+        const TrianglePack& pack = search.tree_.pack(at.index());
+        const unsigned candidates = Tests::sift(held, pack, at.count());
+        search.found_ = {pack.ids, &pack, candidates, all & ~candidates};
+        if (!watched && candidates == 0) {
           search.passed_over_ += at.count();
           continue;
         }
       } else {
-        search.pack_ = nullptr;
-        search.ids_ = search.tree_.listed(at.index());
-        search.candidates_ = all;
-        search.ruled_out_ = 0;
+        search.found_ = {search.tree_.listed(at.index()), nullptr, all, 0};
       }
       search.waiting_ = waiting;
       search.nodes_ = entered;

@@ -145,6 +145,64 @@ Tally compare(AcceleratorKind kind, bool copies, std::uint64_t seed, std::uint64
   return tally;
 }
 
+/// Bundles of 32 rays that go nearly the same way, through corners and along edges of a mesh, searched together against
+/// each by itself and no accelerator.
+template <class T>
+Tally compare_packets(std::uint64_t seed, std::uint64_t first, std::uint64_t count) {
+  Tally tally;
+  constexpr std::uint64_t bundle = 32, rays_a_heap = 1024;
+  std::optional<Accelerator<T>> plain, structure;
+  for (std::uint64_t begin = first / bundle * bundle; begin < first + count; begin += bundle) {
+    if (!plain || begin % rays_a_heap == 0)
+      for (auto* built : {&plain, &structure}) {
+        Random again(seed, 52, begin / rays_a_heap);
+        built->emplace(heap<T>(again, false, Meshes::one),
+                       built == &plain ? AcceleratorKind::none : AcceleratorKind::bvh);
+      }
+    Random random(seed, 53, begin / bundle);
+    const Triangles<T>& triangles = plain->primitives().triangles();
+    const auto corner = [&] {
+      const Triangle<T> triangle = triangles[random.whole(0, triangles.size() - 1)];
+      const double along = random.coin() ? 0 : random.real(0, 1);
+      return wide(triangle.a) + along * (wide(triangle.b) - wide(triangle.a));
+    };
+    const Vec3d middle = corner();
+    Vec3d eye = middle + random.magnitude(-1, 3) * random.unit();
+    if (random.whole(0, 3) == 0) eye[random.whole(0, 2)] = middle[random.whole(0, 2)];
+    const double spread = random.magnitude(-6, 0);
+    const bool parallel = random.whole(0, 3) == 0;
+    std::vector<std::uint64_t> numbers;
+    std::vector<Ray<T>> rays;
+    std::vector<T> t_max;
+    for (std::uint64_t number = begin; number < begin + bundle; ++number) {
+      const Vec3d there = random.whole(0, 3) == 0 ? corner() : middle, off = spread * random.in_box();
+      const Vec3d target = there != middle && length(there - middle) < spread ? there : middle + off;
+      const auto ray = ray_towards<T>(parallel ? eye + off : eye, target, random);
+      if (!ray || !is_finite(ray->origin)) continue;
+      numbers.push_back(number);
+      rays.push_back(*ray);
+      t_max.push_back(random.whole(0, 3) == 0 ? static_cast<T>(random.real(0, 2)) : infinity<T>);
+    }
+    TestCounts counts;
+    std::vector<std::optional<Hit<T>>> hits(rays.size());
+    const auto blocked = std::make_unique<bool[]>(rays.size());
+    structure->closest(rays, t_max, hits, counts);
+    structure->occluded(rays, t_max, {blocked.get(), rays.size()}, counts);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      if (numbers[i] < first || numbers[i] >= first + count) continue;
+      const auto expected = plain->closest(rays[i], t_max[i], counts);
+      ++tally.rays;
+      tally.hits += expected.has_value();
+      const std::optional<Hit<T>>& got = hits[i];
+      const bool same = expected && got ? got->t == expected->t && got->primitive == expected->primitive &&
+                                              got->part == expected->part
+                                        : !expected && !got;
+      tally.unequal += !same || blocked[i] != expected.has_value();
+    }
+  }
+  return tally;
+}
+
 }  // namespace
 
 Family accelerator_family() {
@@ -165,6 +223,8 @@ Family accelerator_family() {
   }
   add("copies of meshes", "float", compare<float>, AcceleratorKind::bvh, true);
   add("copies of meshes", "double", compare<double>, AcceleratorKind::bvh, true);
+  family.lines.push_back({"packets of rays", "float", compare_packets<float>, {}});
+  family.lines.push_back({"packets of rays", "double", compare_packets<double>, {}});
   return family;
 }
 

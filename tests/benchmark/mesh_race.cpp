@@ -16,6 +16,7 @@
 #include <memory>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -124,6 +125,25 @@ TestCounts trace_ours(const Accelerator<float>& accelerator, const RaySet& set, 
     }
   }
   return counts;
+}
+
+// The same rays as batches, of which those that are coherent are searched together.
+void trace_ours_together(const Accelerator<float>& accelerator, const RaySet& set, std::vector<int>& answers) {
+  TestCounts counts;
+  constexpr std::size_t most = 64;
+  std::array<std::optional<Hit<float>>, most> hits;
+  std::array<bool, most> occluded;
+  for (std::size_t first = 0; first < set.rays.size(); first += most) {
+    const std::size_t count = std::min(most, set.rays.size() - first);
+    const std::span rays = std::span(set.rays).subspan(first, count);
+    const std::span t_max = std::span(set.t_max).subspan(first, count);
+    if (set.want == Want::any)
+      accelerator.occluded(rays, t_max, std::span(occluded).first(count), counts);
+    else
+      accelerator.closest(rays, t_max, std::span(hits).first(count), counts);
+    for (std::size_t i = 0; i < count; ++i)
+      answers[first + i] = set.want == Want::any ? (occluded[i] ? 0 : -1) : hits[i] ? hits[i]->primitive : -1;
+  }
 }
 
 #ifdef RAYWALK_EMBREE
@@ -292,6 +312,9 @@ int race(const Subject& subject, int thousands, int runs) {
                         const ForcedWidth forced(width);
                         trace_ours(accelerator, set, answers);
                       }});
+  racers.push_back({"ours, together", median(build_seconds[1]), [&](const RaySet& set, std::vector<int>& answers) {
+                      trace_ours_together(accelerator, set, answers);
+                    }});
   const std::size_t own = racers.size();
 #ifdef RAYWALK_EMBREE
   const EmbreeScene plain(subject.mesh, false), robust(subject.mesh, true);

@@ -107,6 +107,12 @@ mutant kdtree_far_side_late accel accel/kdtree.h 'std::fmax(at.in, t - slack)' '
 mutant kdtree_one_side accel accel/kdtree.h 'boxes.box(id).max[best_axis] >= plane' 'boxes.box(id).min[best_axis] >= plane'
 mutant bvh_too_early accel accel/bvh.h 'beyond(stack[count].in, query.t_far())' 'beyond(2 * stack[count].in, query.t_far())'
 mutant mesh_bvh_too_early accel accel/wide_search_loop.h 'static_cast<Far>(in * (1 - 8 ' 'static_cast<Far>(2 * in * (1 - 8 '
+mutant packet_enters_with_the_last packets accel/ray_packet.h 'enter[axis] = negative ? in.least : in.greatest' \
+  'enter[axis] = negative ? in.greatest : in.least'
+mutant packet_of_mixed_signs packets accel/ray_packet.h 'all &= a.near[axis] == b.near[axis] &&' 'all &='
+mutant packet_slopes_of_zero packets accel/ray_packet.h 'std::isfinite(a.inverse[axis]) && std::isfinite(b.inverse[axis])' 'true'
+mutant packet_shortens_all packets accel/packet_search_loop.h '*std::max_element(packet.t_far' '*std::min_element(packet.t_far'
+mutant packet_inverse_of_one_ray packets accel/packet_lane_tests.h 'min(max(far * least, far * most), leaves)' 'min(min(far * least, far * most), leaves)'
 mutant lanes_shrunk accel accel/float_slabs.h '-rounded_up(-static_cast<double>(box.min[axis]))' \
   'rounded_up(box.min[axis] + 1e-5 * std::abs(static_cast<double>(box.min[axis])))'
 mutant lanes_origin_without_slack accel accel/float_slabs.h '16 * epsilon * (size[0] + size[1] + size[2]) + least' '0 * epsilon * least'

@@ -1,0 +1,83 @@
+#pragma once
+// The loop of a PacketSearch, to be compiled for each width.
+
+#include "accel/packet_search.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace raywalk {
+
+struct PacketLoop {
+  /// `Tests` has what is in accel/packet_lane_tests.h, and `sift` of accel/lane_tests.h.
+  template <class Tests, bool nearest_first>
+  [[gnu::always_inline]] static inline bool run(PacketSearch& search) {
+    const RayPacket& packet = search.packet_;
+    const float t_far = *std::max_element(packet.t_far, packet.t_far + RayPacket::most);
+    const WideNode* const nodes = search.tree_.nodes();
+    auto* const stack = search.stack_.data();
+    std::size_t waiting = search.waiting_;
+    // Puts the boxes of a node that some ray may meet onto the stack, nearer ones on top if hits shorten rays.
+    const auto enter = [&](std::uint32_t index, unsigned rays) __attribute__((always_inline)) {
+      const WideNode& node = nodes[index];
+      search.nodes_ += bit_count(rays);
+      alignas(32) BoxEntry entries[tree_width];
+      const std::size_t before = waiting;
+      for (unsigned met = Tests::meet(packet, t_far, node, entries); met != 0; met &= met - 1) {
+        const BoxEntry entry = entries[std::countr_zero(met)];
+        search.tree_.fetch(node.children[entry.lane()]);
+        std::size_t place = waiting++;
+        if constexpr (nearest_first)
+          for (; place > before && stack[place - 1].entry < entry; --place) stack[place] = stack[place - 1];
+        stack[place] = {index, entry, rays};
+      }
+    };
+    if (!search.begun_) enter(0, packet.all());
+    search.begun_ = true;
+    while (waiting > 0 && t_far >= 0) {
+      const auto top = stack[--waiting];
+      const WideNode& node = nodes[top.node];
+      const unsigned rays = Tests::rays_that_meet(packet, node, top.entry.lane(), top.rays);
+      if (rays == 0) continue;
+      const TreeChild child = node.children[top.entry.lane()];
+      if (!child.is_leaf()) {
+        enter(child.index(), rays);
+        continue;
+      }
+      search.all_ = (1U << child.count()) - 1;
+      if (child.is_pack()) {
+        search.pack_ = &search.tree_.pack(child.index());
+        search.ids_ = search.pack_->ids;
+        search.rays_ = 0;
+        for (unsigned bits = rays; bits != 0; bits &= bits - 1) {
+          const auto ray = static_cast<unsigned>(std::countr_zero(bits));
+          const unsigned candidates =
+              Tests::sift(search.mesh_rays_[ray], packet.t_far[ray], *search.pack_, child.count());
+          search.candidates_[ray] = static_cast<std::uint8_t>(candidates);
+          search.passed_over_ += candidates == 0 ? child.count() : 0;
+          search.rays_ |= unsigned{candidates != 0} << ray;
+        }
+        if (search.rays_ == 0) continue;
+      } else {
+        search.pack_ = nullptr;
+        search.ids_ = search.tree_.listed(child.index());
+        search.rays_ = rays;
+        search.candidates_.fill(static_cast<std::uint8_t>(search.all_));
+      }
+      search.waiting_ = waiting;
+      return true;
+    }
+    search.waiting_ = 0;
+    return false;
+  }
+
+ private:
+  /// Not every processor has an instruction for it.
+  static unsigned bit_count(unsigned rays) {
+    rays -= rays >> 1 & 0x5555U;
+    rays = (rays & 0x3333U) + (rays >> 2 & 0x3333U);
+    return ((rays + (rays >> 4)) & 0x0f0fU) * 0x0101U >> 8 & 0x1fU;
+  }
+};
+
+}  // namespace raywalk
