@@ -64,6 +64,23 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("scenes stand in the gallery by their titles, in the window's language") {
+  const std::string root = RAYWALK_SOURCE_DIR;
+  const auto place = [&](const Language language, const std::string& scene) {
+    State state = classic();
+    state.appearance.language = language;
+    state.lessons.scenes_folder = root + "/scenes";
+    const std::vector<GalleryCard> cards = scene_cards(state);
+    const auto at = std::find_if(cards.begin(), cards.end(),
+                                 [&](const GalleryCard& card) { return card.name == "scene/" + scene; });
+    REQUIRE(at != cards.end());
+    return at - cards.begin();
+  };
+  CHECK(place(in_english, "radiosity") < place(in_english, "appel"));                 // Ray casting
+  CHECK(place(in_portuguese, "motion_blur") + 1 == place(in_portuguese, "caustic"));  // Borrão, Cáustica
+  CHECK(place(in_portuguese, "caustic") + 1 == place(in_portuguese, "cones"));
+}
+
 TEST_CASE("New and Open begin with the gallery") {
   const std::string root = RAYWALK_SOURCE_DIR;
   const auto begin = [&](const Action& ask) {
