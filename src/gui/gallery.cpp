@@ -57,10 +57,6 @@ std::string sentence_of(const State& state, const std::string& scene, const std:
                                                : document->scene.description;
 }
 
-}  // namespace
-
-namespace {
-
 // As dictionaries do: neither capitals nor accents count.
 std::string sorted_by(const std::string& title) {
   constexpr std::string_view plain = "aaaaaaaceeeeiiiidnooooo-ouuuuyts";  // of U+00C0 and on, and of U+00E0 and on
@@ -90,8 +86,8 @@ std::vector<GalleryCard> scene_cards(const State& state) {
                      {},
                      false});
   }
-  std::stable_sort(cards.begin() + 1, cards.end(),
-                   [](const GalleryCard& a, const GalleryCard& b) { return sorted_by(a.title) < sorted_by(b.title); });
+  std::sort(cards.begin() + 1, cards.end(),
+            [](const GalleryCard& a, const GalleryCard& b) { return sorted_by(a.title) < sorted_by(b.title); });
   // The classic scene is where everybody begins.
   const auto classic =
       std::find_if(cards.begin(), cards.end(), [](const GalleryCard& card) { return card.name == "scene/classic"; });
