@@ -106,8 +106,8 @@ TEST_CASE("New and Open begin with the gallery") {
   }
   Bench bench(begin(action::AskOpen{}));
   bench.frames(4);
-  bench.click("scene/appel");
-  CHECK(bench.state.document.path == root + "/scenes/appel.toml");
+  bench.click("scene/antialiasing");
+  CHECK(bench.state.document.path == root + "/scenes/antialiasing.toml");
   CHECK(bench.state.document.prompt == PathPrompt::none);
   update(bench.state, action::AskOpen{});
   bench.frames(3);
@@ -115,7 +115,7 @@ TEST_CASE("New and Open begin with the gallery") {
   bench.obedient = false;
   bench.click("recent/0");
   REQUIRE(bench.last<action::Open>() != nullptr);
-  CHECK(bench.last<action::Open>()->path == root + "/scenes/appel.toml");
+  CHECK(bench.last<action::Open>()->path == root + "/scenes/antialiasing.toml");
   bench.obedient = true;
   bench.click("gallery-lessons");
   bench.frames(3);
