@@ -57,6 +57,20 @@ std::string sentence_of(const State& state, const std::string& scene, const std:
                                                : document->scene.description;
 }
 
+// As dictionaries do: neither capitals nor accents count.
+std::string sorted_by(const std::string& title) {
+  constexpr std::string_view plain = "aaaaaaaceeeeiiiidnooooo-ouuuuyts";  // of U+00C0 and on, and of U+00E0 and on
+  std::string key;
+  for (std::size_t i = 0; i < title.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(title[i]);
+    if (byte == 0xC3 && i + 1 < title.size())
+      key += plain[static_cast<unsigned char>(title[++i]) & 0x1Fu];
+    else
+      key += byte >= 'A' && byte <= 'Z' ? static_cast<char>(byte + ('a' - 'A')) : title[i];
+  }
+  return key;
+}
+
 }  // namespace
 
 std::vector<GalleryCard> scene_cards(const State& state) {
@@ -72,6 +86,8 @@ std::vector<GalleryCard> scene_cards(const State& state) {
                      {},
                      false});
   }
+  std::sort(cards.begin() + 1, cards.end(),
+            [](const GalleryCard& a, const GalleryCard& b) { return sorted_by(a.title) < sorted_by(b.title); });
   // The classic scene is where everybody begins.
   const auto classic =
       std::find_if(cards.begin(), cards.end(), [](const GalleryCard& card) { return card.name == "scene/classic"; });

@@ -127,12 +127,13 @@ std::vector<TreeLabel> labels_of(const Ui& ui, const TreePanel& tree, const std:
   if (current != lit.end()) std::rotate(lit.begin(), current, current + 1);
   for (const std::size_t i : lit) {
     const TreeNode& node = tree.nodes[i];
-    // In one line, or where that covers more, or beside others, in two.
+    // In one line, or where that covers more, or beside others, in two; in three where that alone covers nothing.
     const std::string one = shortened(node.label, std::min(ui.px(320), seen.width - ui.px(8)));
     const float half = std::max(ui.px(60), 0.6f * extent_of(one).x);
     const std::string two = broken_lines(node.label, std::min(std::max(column, ui.px(60)), half));
-    const Rect in_one = label_place(places[i], extent_of(one), round_halo),
-               in_two = label_place(places[i], extent_of(two), round_halo);
+    const std::string three = broken_lines(node.label, 0.45f * extent_of(one).x);
+    const auto place_of = [&](const std::string& text) { return label_place(places[i], extent_of(text), round_halo); };
+    const Rect in_one = place_of(one), in_two = place_of(two), in_three = place_of(three);
     const auto beside = [&](std::size_t other) {
       const ImVec2 a = places[i], b = places[other];
       return other != i && has_label(tree.nodes[other]) && std::abs(a.y - b.y) < 1 &&
@@ -140,11 +141,16 @@ std::vector<TreeLabel> labels_of(const Ui& ui, const TreePanel& tree, const std:
     };
     std::size_t other = 0;
     while (other < places.size() && !beside(other)) ++other;
+    const auto lines_of = [](const std::string& text) { return 1 + std::count(text.begin(), text.end(), '\n'); };
     const float over = covered_by_label(in_one, round_halo), under = covered_by_label(in_two, round_halo);
-    const bool breaks =
-        std::count(two.begin(), two.end(), '\n') == 1 && (other < places.size() ? under <= over : under < over);
-    TreeLabel label = breaks ? TreeLabel{two, in_two} : TreeLabel{one, in_one};
-    if (is_free(label.where)) labels.push_back(std::move(label));
+    const bool breaks = lines_of(two) == 2 && (other < places.size() ? under <= over : under < over);
+    const bool breaks_twice =
+        lines_of(three) == 3 && (breaks ? under : over) > 0 && covered_by_label(in_three, round_halo) == 0;
+    TreeLabel label = breaks_twice ? TreeLabel{three, in_three}
+                      : breaks     ? TreeLabel{two, in_two}
+                                   : TreeLabel{one, in_one};
+    // Half a word says nothing; the node says it when pointed at.
+    if (is_free(label.where) && is_seen(label.where, round_halo)) labels.push_back(std::move(label));
   }
   const float space = spacing.level - 2 * spacing.radius - 2 * room.gap;
   for (std::size_t i = 0; i < places.size() && spacing.column >= ui.px(64) && spacing.level >= ui.px(58); ++i) {

@@ -42,13 +42,28 @@ Rect label_place(ImVec2 at, ImVec2 extent, const TreeLabelRoom& room) {
   const Rect& seen = room.seen;
   const float below = room.radius + room.gap, beside = below + room.beside,
               middle = std::clamp(at.x - extent.x / 2, seen.x, std::max(seen.x, seen.right() - extent.x));
-  const Rect places[]{{middle, at.y + below, extent.x, extent.y},
+  // In its middle, beside the node, or from the node to one side.
+  const auto inside = [&](float x) { return std::clamp(x, seen.x, std::max(seen.x, seen.right() - extent.x)); };
+  const float left = inside(at.x + room.radius - extent.x), right = inside(at.x - room.radius), under = at.y + below,
+              over = at.y - below - extent.y;
+  const Rect places[]{{middle, under, extent.x, extent.y},
                       {at.x + beside, at.y - extent.y / 2, extent.x, extent.y},
                       {at.x - beside - extent.x, at.y - extent.y / 2, extent.x, extent.y},
-                      {middle, at.y - below - extent.y, extent.x, extent.y}};
+                      {middle, over, extent.x, extent.y},
+                      {left, under, extent.x, extent.y},
+                      {right, under, extent.x, extent.y},
+                      {left, over, extent.x, extent.y},
+                      {right, over, extent.x, extent.y}};
   return *std::min_element(std::begin(places), std::end(places), [&](const Rect& a, const Rect& b) {
     return covered_by_label(a, room) < covered_by_label(b, room);
   });
+}
+
+bool is_seen(const Rect& label, const TreeLabelRoom& room) {
+  constexpr float hair = 1;
+  const Rect& seen = room.seen;
+  return label.x >= seen.x - hair && label.y >= seen.y - hair && label.right() <= seen.right() + hair &&
+         label.bottom() <= seen.bottom() + hair;
 }
 
 bool labels_cross(const Rect& a, const Rect& b) {

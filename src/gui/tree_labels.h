@@ -24,8 +24,12 @@ struct TreeLabelRoom {
 /// under it; 0: nothing.
 [[nodiscard]] float covered_by_label(const Rect& label, const TreeLabelRoom& room);
 
-/// The label's place by the node at `at`: below it, unless that covers more than a place beside or above it.
+/// The label's place by the node at `at`: below it, unless that covers more than a place beside it, above it, or
+/// towards one side.
 [[nodiscard]] Rect label_place(ImVec2 at, ImVec2 extent, const TreeLabelRoom& room);
+
+/// Whether all of it is within the border.
+[[nodiscard]] bool is_seen(const Rect& label, const TreeLabelRoom& room);
 
 [[nodiscard]] bool labels_cross(const Rect& a, const Rect& b);
 

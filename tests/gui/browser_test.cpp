@@ -64,6 +64,23 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("scenes stand in the gallery by their titles, in the window's language") {
+  const std::string root = RAYWALK_SOURCE_DIR;
+  const auto place = [&](const Language language, const std::string& scene) {
+    State state = classic();
+    state.appearance.language = language;
+    state.lessons.scenes_folder = root + "/scenes";
+    const std::vector<GalleryCard> cards = scene_cards(state);
+    const auto at = std::find_if(cards.begin(), cards.end(),
+                                 [&](const GalleryCard& card) { return card.name == "scene/" + scene; });
+    REQUIRE(at != cards.end());
+    return at - cards.begin();
+  };
+  CHECK(place(in_english, "radiosity") < place(in_english, "appel"));                 // Ray casting
+  CHECK(place(in_portuguese, "motion_blur") + 1 == place(in_portuguese, "caustic"));  // Borrão, Cáustica
+  CHECK(place(in_portuguese, "caustic") + 1 == place(in_portuguese, "cones"));
+}
+
 TEST_CASE("New and Open begin with the gallery") {
   const std::string root = RAYWALK_SOURCE_DIR;
   const auto begin = [&](const Action& ask) {
@@ -89,8 +106,8 @@ TEST_CASE("New and Open begin with the gallery") {
   }
   Bench bench(begin(action::AskOpen{}));
   bench.frames(4);
-  bench.click("scene/appel");
-  CHECK(bench.state.document.path == root + "/scenes/appel.toml");
+  bench.click("scene/antialiasing");
+  CHECK(bench.state.document.path == root + "/scenes/antialiasing.toml");
   CHECK(bench.state.document.prompt == PathPrompt::none);
   update(bench.state, action::AskOpen{});
   bench.frames(3);
@@ -98,7 +115,7 @@ TEST_CASE("New and Open begin with the gallery") {
   bench.obedient = false;
   bench.click("recent/0");
   REQUIRE(bench.last<action::Open>() != nullptr);
-  CHECK(bench.last<action::Open>()->path == root + "/scenes/appel.toml");
+  CHECK(bench.last<action::Open>()->path == root + "/scenes/antialiasing.toml");
   bench.obedient = true;
   bench.click("gallery-lessons");
   bench.frames(3);

@@ -67,3 +67,22 @@ TEST_CASE("a label of the ray tree leaves links and the halo of its node free, w
   CHECK(covered_by_label({160, 90, 80, 16}, room) == Approx(2));
   CHECK(covered_by_label({201, 90, 80, 16}, room) == 0);
 }
+
+TEST_CASE("a label of the ray tree stands towards one side, where links leave its node on the other") {
+  // Links to the right, above and below, and the border on the left.
+  const std::vector<ImVec2> nodes{{120, 100}, {200, 60}, {200, 140}, {40, 100}};
+  const std::vector<std::pair<ImVec2, ImVec2>> links{{nodes[1], nodes[0]}, {nodes[0], nodes[2]}, {nodes[0], nodes[3]}};
+  TreeLabelRoom room = room_with(nodes);
+  room.links = links;
+  const Rect place = label_place(nodes[0], {70, 16}, room);
+  CHECK(place == Rect{60, 114, 70, 16});
+  CHECK(covered_by_label(place, room) == 0);
+}
+
+TEST_CASE("a label of the ray tree that the border would cut is known") {
+  const std::vector<ImVec2> nodes{{200, 100}};
+  const TreeLabelRoom room = room_with(nodes);
+  CHECK(is_seen({0, 0, 400, 200}, room));
+  CHECK_FALSE(is_seen({10, -3, 80, 16}, room));
+  CHECK_FALSE(is_seen({330, 10, 80, 16}, room));
+}

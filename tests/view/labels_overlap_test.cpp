@@ -11,6 +11,7 @@
 #include "support/effort.h"
 #include "support/languages.h"
 #include "view/space/lines_view.h"
+#include "view/text/shown.h"
 #include "view/text/text.h"
 
 using namespace raywalk;
@@ -40,7 +41,7 @@ struct Words {
   bool whole = true;  ///< in the pane
 };
 
-std::vector<Words> words_of(const DisplayList& list, const Viewport& pane) {
+std::vector<Words> texts_in(const DisplayList& list, const Viewport& pane) {
   std::vector<Words> all;
   const TextItem* before = nullptr;
   for (const DisplayItem& item : list) {
@@ -72,7 +73,7 @@ std::vector<Words> words_of(const DisplayList& list, const Viewport& pane) {
 
 /// Those that state a number, such as "t = 2.05".
 std::vector<Words> numbers_of(const DisplayList& list, const Viewport& pane) {
-  std::vector<Words> all = words_of(list, pane);
+  std::vector<Words> all = texts_in(list, pane);
   std::erase_if(all, [](const Words& words) { return words.text.find(" = ") == std::string::npos; });
   return all;
 }
@@ -129,6 +130,14 @@ bool leads_over(const LineItem& leader, const DisplayItem& item) {
   return false;
 }
 
+bool cross_each_other(const LineItem& a, const LineItem& b) {
+  const auto sides = [](const LineItem& line, const LineItem& of) {
+    const Vec2d along = line.to - line.from;
+    return cross(along, of.from - line.from) * cross(along, of.to - line.from) < 0;
+  };
+  return sides(a, b) && sides(b, a);
+}
+
 void check_leaders(const State& state, const DisplayList& list, const std::vector<Words>& words) {
   for (const DisplayItem& item : list) {
     if (!is_leader(state, item)) continue;
@@ -147,6 +156,8 @@ void check_leaders(const State& state, const DisplayList& list, const std::vecto
       INFO("over \"" << each.text << '"');
       CHECK((each.text == own->text || !each.box.meets(leader.from, leader.to)));
     }
+    for (const DisplayItem& other : list)
+      if (is_leader(state, other)) CHECK_FALSE(cross_each_other(leader, std::get<LineItem>(other.shape)));
     for (const DisplayItem& under : list)
       if (under.target.kind == TargetKind::cell || under.target.kind == TargetKind::eye ||
           under.target.kind == TargetKind::light) {
@@ -159,7 +170,7 @@ void check_leaders(const State& state, const DisplayList& list, const std::vecto
 /// Which texts lie over what; the kinds of what they should not lie on.
 void check(const State& state, std::map<std::string, int>& crossed) {
   const DisplayList list = plan_view(state);
-  const std::vector<Words> words = words_of(list, state.plan.viewport);
+  const std::vector<Words> words = texts_in(list, state.plan.viewport);
   for (std::size_t a = 0; a < words.size(); ++a) {
     INFO('"' << words[a].text << '"');
     CHECK(words[a].whole);
@@ -215,7 +226,7 @@ std::size_t check_in_space(const State& state) {
   const Viewport& pane = state.plan.viewport;
   const Vec2d buttons = Sizes(state).unit * Vec2d(100, 42);
   const Box covered{{pane.width - buttons.x, 0.0}, {pane.width, buttons.y}};
-  const std::vector<Words> words = words_of(lines_view(state, pane, buttons), pane);
+  const std::vector<Words> words = texts_in(lines_view(state, pane, buttons), pane);
   for (std::size_t a = 0; a < words.size(); ++a) {
     INFO('"' << words[a].text << '"');
     CHECK(words[a].whole);
@@ -229,14 +240,16 @@ std::size_t check_in_space(const State& state) {
 }
 
 /// What the layout leaves for the plan, in units at scale 1: of a window of 1280x720 in both themes, of 1920x1080, of
-/// that at scale 2, of 2560x1440 at scale 3, where everything is drawn somewhat smaller, and of 768x1024 upright.
+/// that at scale 2, of 2560x1440 at scale 3, where everything is drawn somewhat smaller, of 768x1024 upright, and of
+/// scales 2 and 3 again with the projector's theme and long pseudocode.
 struct Window {
   Viewport alone, beside_lesson;
   double scale;
 };
 constexpr std::array windows{Window{{857, 497}, {526, 497}, 1},   Window{{676, 330}, {345, 316}, 1},
                              Window{{1359, 857}, {1028, 857}, 1}, Window{{537, 317}, {289, 317}, 2},
-                             Window{{460, 290}, {240, 290}, 2.8}, Window{{768, 310}, {437, 300}, 1}};
+                             Window{{460, 290}, {240, 290}, 2.8}, Window{{768, 310}, {437, 300}, 1},
+                             Window{{400, 155}, {243, 198}, 2},   Window{{326, 197}, {246, 203}, 2.6}};
 
 void show_in(State& state, const Viewport& units, double scale, Theme theme) {
   update(state, action::SetUiScale{scale});
@@ -300,6 +313,58 @@ TEST_CASE("no text of the plan lies over what it could hide: every step of every
     }
   }
   std::printf("lessons: %d texts, %d over a ray\n", crossed["texts"], crossed["over a ray"]);
+}
+
+TEST_CASE("each thing of a scene has its name in the plan, however small the plan is") {
+  std::size_t named = 0;
+  unsigned turn = 0;
+  for (const char* name : {"beams", "caustic", "classic", "cones", "filters", "glass", "milk", "penumbra"}) {
+    State state = make_state(read_document(std::string(RAYWALK_SOURCE_DIR) + "/scenes/" + name + ".toml"));
+    const int middle = state.scene().camera.screen.cells / 2;
+    for (const Window& window : windows)
+      for (const Language language : all_languages()) {
+        if (left_out(turn++, 7)) continue;
+        state.appearance.language = language;
+        show_in(state, window.alone, window.scale, turn % 2 == 0 ? Theme::dark : Theme::projector);
+        for (const int cell : {0, middle}) {
+          update(state, action::JumpToCell{cell});
+          update(state, action::Step{true, Grain::pixel});
+          const DisplayList list = plan_view(state);
+          const std::vector<Words> words = texts_in(list, state.plan.viewport);
+          std::vector<std::string> wanted{std::string(text("object.screen", language))};
+          for (const Light& light : state.scene().lights) wanted.push_back(shown_name(state, light.name));
+          for (const DisplayItem& item : list)
+            if (item.target.kind == TargetKind::object) wanted.push_back(object_name(state, item.target.index));
+          for (const std::string& each : wanted) {
+            INFO(each << " of " << name << ", " << state.plan.viewport.width << " wide, " << language.code());
+            CHECK(std::any_of(words.begin(), words.end(), [&](const Words& shown) { return shown.text == each; }));
+            ++named;
+          }
+        }
+      }
+  }
+  CHECK(named > (sanitized ? 100U : 1000U));
+}
+
+TEST_CASE("floor and ceiling of a room have their names inside of it") {
+  State state = state_with_lessons();
+  update(state, action::OpenLesson{"14-radiosity"});
+  update(state, action::GoToLessonStep{0});
+  for (const Window& window : windows) {
+    show_in(state, window.beside_lesson, window.scale, Theme::projector);
+    const DisplayList list = plan_view(state);
+    for (const Words& words : texts_in(list, state.plan.viewport)) {
+      if (words.text != "Floor" && words.text != "Ceiling") continue;
+      INFO(words.text << ", " << window.beside_lesson.width << " wide");
+      CHECK(std::any_of(list.begin(), list.end(), [&](const DisplayItem& item) {
+        return item.target.kind == TargetKind::object && object_name(state, item.target.index) == words.text &&
+               lies_on(item, words.box);
+      }));
+      CHECK(std::none_of(list.begin(), list.end(), [&](const DisplayItem& item) {
+        return !item.target && std::get_if<LineItem>(&item.shape) != nullptr && runs_through(item, words.box);
+      }));
+    }
+  }
 }
 
 TEST_CASE("in space no name lies over another or below the buttons, in any lesson and on a telephone") {

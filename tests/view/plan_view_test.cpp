@@ -104,6 +104,27 @@ TEST_CASE("the object under the pointer says what it is") {
   CHECK_FALSE(state.plan.hovered);
 }
 
+TEST_CASE("a ground that is many times as large as all else does not make that tiny") {
+  Scene scene = classic_state().scene();
+  const Viewport pane{800, 600};
+  const PlanCamera before = fit(scene, pane);
+  Object ground;
+  ground.name = "Ground";
+  ground.shape = Box<double>{{-9, -300, -2}, {600, 300, -1.5}};
+  scene.objects.push_back(ground);
+  Object fence = ground;
+  fence.shape = Box<double>{{-3, 5, -1}, {90, 5.2, 1}};
+  scene.objects.push_back(fence);
+  const PlanCamera after = fit(scene, pane);
+  CHECK(after.pixels_per_unit > 0.5 * before.pixels_per_unit);
+  // One that is only large is seen whole.
+  scene.objects.back().shape = Box<double>{{-3, 5, -1}, {20, 5.2, 1}};
+  CHECK(to_pixels(fit(scene, pane), pane, Vec2d(20, 5)).x < pane.width);
+  // So is whatever there is nothing beside.
+  scene.objects = {ground};
+  CHECK(to_pixels(fit(scene, pane), pane, Vec2d(600, 300)).x < pane.width);
+}
+
 TEST_CASE("a wall is a line that can be taken hold of, a floor is not drawn") {
   const State state = busy_state();
   const DisplayList list = plan_view(state);

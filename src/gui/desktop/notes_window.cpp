@@ -2,6 +2,7 @@
 #include "gui/platform.h"
 #include "gui/window.h"
 #include "text/language.h"
+#include "view/text/text.h"
 
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_opengl3.h>
@@ -12,6 +13,7 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
+#include <string>
 #include <utility>
 
 namespace raywalk {
@@ -66,7 +68,31 @@ struct NotesWindow::Parts {
   Fonts fonts{};
   float unit = 0;
   std::string lesson{};  // since when
+  std::string title{};   // so that it is told apart from the walk's, when a window is shared with the class
   Clock::time_point begun = Clock::now();
+
+  // On a screen that the class does not look at; else beside the walk's window, where one wide screen has the room.
+  void place(GLFWwindow* walk) {
+    int count = 0;
+    GLFWmonitor** const monitors = glfwGetMonitors(&count);
+    for (int i = 0; i < count && walk != nullptr; ++i) {
+      int x = 0, y = 0, room = 0, rows = 0;
+      glfwGetMonitorWorkarea(monitors[i], &x, &y, &room, &rows);
+      if (count > 1 && !holds_middle(walk, x, y, room, rows)) {
+        glfwSetWindowPos(window, x, y);
+        glfwSetWindowSize(window, room, rows);
+        return;
+      }
+      int left = 0, top = 0, across = 0, down = 0;
+      constexpr int least = 300;
+      glfwGetWindowPos(walk, &left, &top);
+      glfwGetWindowSize(walk, &across, &down);
+      const int before = left - x, after = x + room - left - across;
+      if (std::max(before, after) < least) continue;
+      glfwSetWindowPos(window, after >= before ? left + across : x, top);
+      glfwSetWindowSize(window, std::max(before, after), std::min(down, rows));
+    }
+  }
 
   void open() {
     constexpr int width = 900, height = 700;
@@ -75,16 +101,7 @@ struct NotesWindow::Parts {
     window = glfwCreateWindow(width, height, "Raywalk", nullptr, nullptr);
     glfwWindowHint(GLFW_FOCUS_ON_SHOW, GLFW_TRUE);
     if (window == nullptr) return;
-    int count = 0;
-    GLFWmonitor** const monitors = glfwGetMonitors(&count);
-    for (int i = 0; i < count && count > 1; ++i) {
-      int x = 0, y = 0, room = 0, rows = 0;
-      glfwGetMonitorWorkarea(monitors[i], &x, &y, &room, &rows);
-      if (walk != nullptr && holds_middle(walk, x, y, room, rows)) continue;  // the class looks at this one
-      glfwSetWindowPos(window, x, y);
-      glfwSetWindowSize(window, room, rows);
-      break;
-    }
+    place(walk);
     main.hear(window);
     const Contexts here(window, nullptr);
     glfwSwapInterval(0);  // frames wait for the walk's window alone
@@ -122,6 +139,10 @@ struct NotesWindow::Parts {
     if (const std::string now = state.lessons.open ? state.lessons.open->lesson.name : ""; now != lesson) {
       lesson = now;
       begun = Clock::now();
+    }
+    if (const std::string now(text("command.notes_window.label", state.appearance.language)); now != title) {
+      title = now;
+      glfwSetWindowTitle(window, (title + " – Raywalk").c_str());
     }
     const Contexts here(window, imgui);
     int width = 0, height = 0, pixels = 0, rows = 0;

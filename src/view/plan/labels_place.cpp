@@ -39,18 +39,26 @@ std::optional<Filled> filled(const Shape2d& shape) {
   return Filled{box, *polygon->fill};
 }
 
-/// Fraction of a label's box that a body covers, by samples.
+/// Fraction of a label's box that a body covers, by samples: of all of it, or, of a body that could slip through
+/// between these, of what the two boxes share.
 double covered(const DrawnBody& body, const PixelRect& label) {
-  if (body.box.overlap(label) <= 0) return 0;
+  const double shared = body.box.overlap(label);
+  if (shared <= 0) return 0;
   constexpr int columns = 8, rows = 2;
+  const Vec2d whole = label.max - label.min, own = body.box.max - body.box.min;
+  const bool is_small = own.x < 2 * whole.x / columns || own.y < 2 * whole.y / rows;
+  const PixelRect part = is_small
+                             ? PixelRect{{std::max(label.min.x, body.box.min.x), std::max(label.min.y, body.box.min.y)},
+                                         {std::min(label.max.x, body.box.max.x), std::min(label.max.y, body.box.max.y)}}
+                             : label;
+  const Vec2d size = part.max - part.min;
   int inside = 0;
   for (int i = 0; i <= columns; ++i)
     for (int j = 0; j <= rows; ++j) {
-      const Vec2d size = label.max - label.min;
-      const Vec2d sample = label.min + Vec2d(size.x * i / columns, size.y * j / rows);
+      const Vec2d sample = part.min + Vec2d(size.x * i / columns, size.y * j / rows);
       inside += distance_to(body.item, sample) == 0 ? 1 : 0;
     }
-  return static_cast<double>(inside) / ((columns + 1) * (rows + 1));
+  return static_cast<double>(inside) / ((columns + 1) * (rows + 1)) * (size.x * size.y) / (whole.x * whole.y);
 }
 
 /// Distance in pixels from a label's box to a body's drawing, 0 if they touch; any value above `most` if it exceeds
@@ -78,9 +86,13 @@ bool is_ground(const Labelled& thing, const DrawnBody& body) {
   if (may_stand && distance_to(body.item, thing.at) == 0) return true;
   const Vec2d low = thing.at - thing.half, high = thing.at + thing.half;
   const Vec2d size = body.box.max - body.box.min, own = high - low;
-  const bool around =
-      body.box.min.x <= low.x && body.box.min.y <= low.y && body.box.max.x >= high.x && body.box.max.y >= high.y;
-  return around && size.x * size.y > 2 * own.x * own.y;
+  const double slack = thing.body ? 0.5 : 0;  // a ceiling lies over its floor
+  const bool around = body.box.min.x <= low.x + slack && body.box.min.y <= low.y + slack &&
+                      body.box.max.x >= high.x - slack && body.box.max.y >= high.y - slack;
+  const bool larger = size.x * size.y > 2 * own.x * own.y;
+  const bool same = thing.body && std::abs(size.x - own.x) < 1 && std::abs(size.y - own.y) < 1;
+  // A bracket is around what lies in its hollow, but not below it.
+  return around && (larger || same) && distance_to(body.item, thing.at) == 0;
 }
 
 /// `on_ground`: whether what a name may lie on counts too.
@@ -116,7 +128,8 @@ std::array<Vec2d, 2> line_to(const DrawnBody& body, const Vec2d& middle, const P
 bool is_ambiguous(const std::vector<DrawnBody>& bodies, const Labelled& thing, const PixelRect& label, double unit) {
   if (!thing.body) return apart(box_of(thing.at, thing.half), label) > 14 * unit;
   const Distances away = distances(bodies, thing, label, 60 * unit, true);
-  return away.own > 14 * unit || away.other <= away.own + 2 * unit;
+  // Letters are a little narrower than their box.
+  return away.own > 14 * unit || away.other <= 1.5 * away.own + 2 * unit;
 }
 
 /// The line from a name to its thing: into a body, or to the edge of a symbol. None if it has a body that is not drawn.
@@ -162,13 +175,24 @@ class Places {
         letterings_(letterings(thing.text, painter.sizes.text)),
         area_(area(letterings_.front())) {}
 
-  /// Its place on its own body, if it fits.
+  /// Its place on its own body, if it fits: in its middle, or, on a ground, where nothing stands.
   [[nodiscard]] LabelPlace on_body() {
+    if (!thing_.body || !thing_.solid) return best_;
     for (const NameLines& letters : letterings_) {
-      if (thing_.body && thing_.solid && covers_own(box_of(thing_.at, letters.half + 2 * unit_)) == 1)
-        consider({thing_.at, letters, true}, 0);
-      if (best_.on_body && good()) break;
+      if (covers_own(box_of(thing_.at, letters.half + 2 * unit_)) == 1) consider({thing_.at, letters, true}, 0);
+      if (best_.on_body && good()) return best_;
     }
+    const NameLines& letters = letterings_.front();
+    constexpr double ground = 3;  // times as large as the name
+    const Vec2d room = thing_.half - letters.half - 4 * unit_;
+    if (thing_.half.x < ground * letters.half.x || thing_.half.y < ground * letters.half.y) return best_;
+    constexpr int steps = 4;
+    for (const double y : {-1.0, 1.0, -0.5, 0.5})
+      for (int i = 0; i <= steps; ++i) {
+        const Vec2d at = thing_.at + Vec2d((2.0 * i / steps - 1) * room.x, y * room.y);
+        const PixelRect box = box_of(at, letters.half + 2 * unit_);
+        if (!is_crossed(box) && covers_own(box) == 1) consider({at, letters, true}, 0.05 * area_);
+      }
     return best_;
   }
 
@@ -194,6 +218,16 @@ class Places {
   static double area(const NameLines& letters) { return 4 * letters.half.x * letters.half.y; }
   /// Nothing is covered, and no other body is near.
   [[nodiscard]] bool good() const { return best_.cost < 0.3 * area_; }
+
+  /// By a line that names nothing, such as a patch of a wall.
+  [[nodiscard]] bool is_crossed(const PixelRect& box) const {
+    return std::any_of(painter_.list.begin(), painter_.list.end(), [&](const DisplayItem& item) {
+      const auto* line = std::get_if<LineItem>(&item.shape);
+      if (line == nullptr || item.target) return false;
+      const Vec2d thick(line->stroke.width / 2);
+      return PixelRect{box.min - thick, box.max + thick}.meets(line->from, line->to);
+    });
+  }
 
   [[nodiscard]] double covers_own(const PixelRect& label) const {
     double most = 0;
@@ -266,7 +300,7 @@ class Places {
            std::any_of(painter_.leaders.begin(), painter_.leaders.end(), crossed);
   }
 
-  /// Whether its leader line crosses another name, or what is kept free.
+  /// Whether its leader line crosses another name, another leader, or what is kept free.
   [[nodiscard]] bool strikes_through(const PixelRect& label) const {
     const auto line = line_to(bodies_, thing_, label, unit_);
     if (!line) return false;
@@ -288,7 +322,10 @@ class Places {
       return !thing_.body && taken.min.x <= thing_.at.x && thing_.at.x <= taken.max.x && taken.min.y <= thing_.at.y &&
              thing_.at.y <= taken.max.y;
     };
+    const auto is_across = [&](const auto& other) { return cross_each_other(*line, other); };
     return std::any_of(neighbours_.names.begin(), neighbours_.names.end(), crossed) ||
+           std::any_of(neighbours_.leaders.begin(), neighbours_.leaders.end(), is_across) ||
+           std::any_of(painter_.leaders.begin(), painter_.leaders.end(), is_across) ||
            std::any_of(painter_.kept_free.begin(), painter_.kept_free.end(),
                        [&](const PixelRect& taken) { return crossed(taken) && !is_own(taken); });
   }
@@ -422,20 +459,29 @@ bool is_shown(const Labelled& thing, const LabelPlace& place) {
 
 std::vector<LabelPlace> place_labels(const Painter& painter, const std::vector<DrawnBody>& bodies,
                                      const std::vector<Labelled>& things) {
-  std::vector<LabelPlace> places(things.size());
   const double margin = 2.5 * painter.sizes.unit;
   const RayCover rays(painter);
-  const auto all_but = [&](std::size_t own) {
-    Neighbours all;
-    for (std::size_t k = 0; k < places.size(); ++k) {
-      if (k == own || !is_shown(things[k], places[k])) continue;
-      all.names.push_back({places[k].box().min - margin, places[k].box().max + margin});
-      if (places[k].leader) all.leaders.push_back(*places[k].leader);
-    }
-    return all;
+  // Two passes: in the first, the later places are not yet known.
+  const auto placed = [&](const std::vector<std::size_t>& order) {
+    std::vector<LabelPlace> places(things.size());
+    const auto all_but = [&](std::size_t own) {
+      Neighbours all;
+      for (std::size_t k = 0; k < places.size(); ++k) {
+        if (k == own || !is_shown(things[k], places[k])) continue;
+        all.names.push_back({places[k].box().min - margin, places[k].box().max + margin});
+        if (places[k].leader) all.leaders.push_back(*places[k].leader);
+      }
+      return all;
+    };
+    constexpr int rounds = 2;
+    for (int round = 0; round < rounds; ++round)
+      for (const std::size_t i : order) {
+        places[i] = Places(painter, bodies, rays, things[i], all_but(i)).best();
+        places[i].leader = leader_of(painter, bodies, things[i], places[i]);
+      }
+    return places;
   };
-  // Names that fit onto their bodies first, then long names, which have the fewest places. Two passes: in the first,
-  // the later places are not yet known.
+  // Names that fit onto their bodies first, then long names, which have the fewest places.
   std::vector<std::size_t> order(things.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::vector<double> turn;
@@ -444,13 +490,22 @@ std::vector<LabelPlace> place_labels(const Painter& painter, const std::vector<D
     turn.push_back(!thing.body ? -2e9 : fits ? -1e9 : -width_of(thing.text, painter.sizes.text));
   }
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return turn[a] < turn[b]; });
-  constexpr int rounds = 2;
-  for (int round = 0; round < rounds; ++round)
-    for (const std::size_t i : order) {
-      places[i] = Places(painter, bodies, rays, things[i], all_but(i)).best();
-      places[i].leader = leader_of(painter, bodies, things[i], places[i]);
-    }
-  return places;
+  std::vector<LabelPlace> best = placed(order);
+  // Those that found no room come earlier, unless that leaves out as many: of a few, each name counts.
+  constexpr std::size_t few = 12;
+  constexpr int tries = 4;
+  const auto is_left_out = [&](const std::vector<LabelPlace>& places) {
+    return [&](std::size_t i) { return !is_shown(things[i], places[i]); };
+  };
+  auto left_out = std::count_if(order.begin(), order.end(), is_left_out(best));
+  std::vector<LabelPlace> last = best;
+  for (int i = 0; i < tries && left_out > 0 && things.size() <= few; ++i) {
+    std::stable_partition(order.begin(), order.end(), is_left_out(last));
+    last = placed(order);
+    const auto now = std::count_if(order.begin(), order.end(), is_left_out(last));
+    if (now < left_out) best = last, left_out = now;
+  }
+  return best;
 }
 
 }  // namespace raywalk

@@ -70,8 +70,15 @@ void add_objects(const Painter& painter, const std::vector<DrawnBody>& bodies, s
         std::find_if(bodies.begin(), bodies.end(), [&](const DrawnBody& b) { return b.item.target == target; });
     if (body != bodies.end()) {
       thing.at = painter.pixels(place_of(state, target, painter.viewport));
-      thing.half = {std::max(body->box.max.x - thing.at.x, thing.at.x - body->box.min.x),
-                    std::max(body->box.max.y - thing.at.y, thing.at.y - body->box.min.y)};
+      PixelRect box = body->box;
+      // Of a body whose middle is outside, what is seen of it.
+      if (const PixelRect pane = painter.pane(); !pane.meets(thing.at, thing.at) && box.overlap(pane) > 0) {
+        box = {{std::max(box.min.x, pane.min.x), std::max(box.min.y, pane.min.y)},
+               {std::min(box.max.x, pane.max.x), std::min(box.max.y, pane.max.y)}};
+        thing.at = (box.min + box.max) / 2.0;
+      }
+      thing.half = {std::max(box.max.x - thing.at.x, thing.at.x - box.min.x),
+                    std::max(box.max.y - thing.at.y, thing.at.y - box.min.y)};
     } else {
       // A wall; objects drawn neither as body nor as wall have no name here.
       const auto* plane = std::get_if<Plane<double>>(&object.shape);

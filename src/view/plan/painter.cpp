@@ -42,6 +42,14 @@ double width_of(const std::string& text, double size) {
   return std::min(width, text_width(text, size));
 }
 
+bool cross_each_other(const std::array<Vec2d, 2>& a, const std::array<Vec2d, 2>& b) {
+  const auto sides = [](const std::array<Vec2d, 2>& line, const std::array<Vec2d, 2>& of) {
+    const Vec2d along = line[1] - line[0];
+    return cross(along, of[0] - line[0]) * cross(along, of[1] - line[0]) < 0;
+  };
+  return sides(a, b) && sides(b, a);
+}
+
 bool PixelRect::meets(const Vec2d& from, const Vec2d& to) const {
   // Liang and Barsky, as below.
   double begin = 0, end = 1;
@@ -137,8 +145,12 @@ bool Painter::note(const std::vector<Vec2d>& places, const std::string& text) {
   return note(places, text, [](const Vec2d& /*place*/) { return 0.0; });
 }
 
+bool Painter::note_off_bodies(const std::vector<Vec2d>& places, const std::string& text) {
+  return note(places, text, [](const Vec2d& /*place*/) { return 0.0; }, true);
+}
+
 bool Painter::note(const std::vector<Vec2d>& places, const std::string& text,
-                   const std::function<double(const Vec2d&)>& more) {
+                   const std::function<double(const Vec2d&)>& more, bool off_bodies) {
   const Vec2d half = half_of_note(text, sizes.text);
   const double area = 4 * half.x * half.y;
   const auto is_free = [&](const PixelRect& box) {
@@ -159,8 +171,10 @@ bool Painter::note(const std::vector<Vec2d>& places, const std::string& text,
     if (!std::isfinite(cost) || (best && cost >= least)) continue;
     if (std::any_of(list.begin(), list.end(), [&](const DisplayItem& item) {
           return item.target.kind == TargetKind::object && runs_through(item.shape, box);
-        }))
+        })) {
+      if (off_bodies) continue;
       cost += of_outline;
+    }
     if (best && cost >= least) continue;
     best = place;
     least = cost;
@@ -195,7 +209,9 @@ bool Painter::note_beside(const Vec2d& of, const Vec2d& away, const std::string&
     const bool runs_over = std::any_of(kept_free.begin(), kept_free.end(), [&](const PixelRect& taken) {
       return !(from_its_side && around == taken) && taken.meets(*edge, of);
     });
-    if (runs_over) return std::numeric_limits<double>::infinity();
+    const bool crosses = std::any_of(leaders.begin(), leaders.end(),
+                                     [&](const auto& other) { return cross_each_other({*edge, of}, other); });
+    if (runs_over || crosses) return std::numeric_limits<double>::infinity();
     return length(*edge - of) > 50 * sizes.unit ? 1.0 : 0.0;
   });
   if (!is_there) return false;

@@ -20,6 +20,9 @@ struct PixelRect {
   friend bool operator==(const PixelRect&, const PixelRect&) = default;
 };
 
+/// Whether two segments cross.
+[[nodiscard]] bool cross_each_other(const std::array<Vec2d, 2>& a, const std::array<Vec2d, 2>& b);
+
 /// The width of a text in the window's font, slightly overestimated. text_width() is up to 50% more, for other fonts,
 /// which would keep names off bodies that they fit on.
 [[nodiscard]] double width_of(const std::string& text, double size);
@@ -60,9 +63,11 @@ class Painter {
   /// and on no outline of a body. None if there is no such place: it must be said elsewhere too. Returns whether it is
   /// there.
   bool note(const std::vector<Vec2d>& places, const std::string& text);
+  /// The same, but on no outline of a body at all.
+  bool note_off_bodies(const std::vector<Vec2d>& places, const std::string& text);
   /// The same at one of `first`; else beside a point, as near as possible and farther away with a line to it, which
-  /// runs over nothing that is kept free. `away`: preferably in this direction, of unit length. Returns whether it is
-  /// there.
+  /// runs over nothing that is kept free, nor over another such line. `away`: preferably in this direction, of unit
+  /// length. Returns whether it is there.
   /// `around`: what is kept free around the point itself, which the line may enter from its side.
   bool note_beside(const Vec2d& of, const Vec2d& away, const std::string& text, const std::vector<Vec2d>& first = {},
                    const std::optional<PixelRect>& around = {});
@@ -77,8 +82,9 @@ class Painter {
 
  private:
   /// The same, where each place costs this much `more` than the lines that it lies on, of which a ray costs 2; if
-  /// infinitely much, it is none.
-  bool note(const std::vector<Vec2d>& places, const std::string& text, const std::function<double(const Vec2d&)>& more);
+  /// infinitely much, it is none. `off_bodies`: nor is one on the outline of a body.
+  bool note(const std::vector<Vec2d>& places, const std::string& text, const std::function<double(const Vec2d&)>& more,
+            bool off_bodies = false);
   /// The visible part of a segment, with a margin: from and to, 0..1.
   [[nodiscard]] std::optional<std::array<double, 2>> seen_stretch(const Vec2d& from, const Vec2d& to) const;
 };

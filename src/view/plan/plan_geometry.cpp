@@ -69,7 +69,7 @@ Vec2d light_place(const Scene& scene, const Light& light, const PlanCamera& came
                           const double size = length(towards);
                           if (!(size > 0)) return camera.centre;
                           // Within the ring of a sky.
-                          const double part = scene.sky ? 0.34 : 0.42;
+                          const double part = scene.sky ? 0.28 : 0.42;
                           const double far = part * std::min(viewport.width, viewport.height) / camera.pixels_per_unit;
                           return camera.centre + far / size * towards;
                         },

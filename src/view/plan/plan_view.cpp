@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace raywalk {
 
@@ -18,6 +19,53 @@ Vec2d to_scene(const PlanCamera& camera, const Viewport& viewport, const Vec2d& 
   return camera.centre + from_centre / camera.pixels_per_unit;
 }
 
+namespace {
+
+double across(const Bounds<double>& box) { return length(plan(box.max - box.min)); }
+
+/// What an object takes up of the plan, if that has ends.
+std::optional<Bounds<double>> extent_of(const Object& object) {
+  const auto* sphere = std::get_if<Sphere<double>>(&object.shape);
+  if (sphere == nullptr || !object.transform.empty()) return footprint_of(object);
+  const Vec3d reach(plan_radius(*sphere), plan_radius(*sphere), 0);
+  Bounds<double> box;
+  box.include(sphere->centre - reach);
+  box.include(sphere->centre + reach);
+  return box;
+}
+
+/// Adds the objects to a box. A ground or a fence that would make all others tiny counts by its nearest point.
+void include_objects(const Scene& scene, Bounds<double>& box) {
+  constexpr double vast = 4;  // times all else together
+  constexpr std::size_t most = 4;
+  std::vector<Bounds<double>> largest;  // in falling order
+  bool others = false;
+  for (const Object& object : scene.objects) {
+    const auto extent = extent_of(object);
+    if (!extent) continue;
+    const auto smaller = [&](const Bounds<double>& each) { return across(each) < across(*extent); };
+    largest.insert(std::find_if(largest.begin(), largest.end(), smaller), *extent);
+    if (largest.size() <= most) continue;
+    box.include(largest.back());
+    largest.pop_back();
+    others = true;
+  }
+  for (; !largest.empty(); largest.pop_back()) {
+    const Bounds<double>& next = largest.back();
+    if (others && across(next) > vast * across(box)) break;
+    box.include(next);
+    others = true;
+  }
+  for (const Bounds<double>& ground : largest) {
+    const Vec3d middle = (box.min + box.max) / 2.0;
+    const Vec3d nearest(std::clamp(middle.x, ground.min.x, ground.max.x),
+                        std::clamp(middle.y, ground.min.y, ground.max.y), 0);
+    if (length(plan(nearest - middle)) < across(box)) box.include(nearest);
+  }
+}
+
+}  // namespace
+
 PlanCamera fit(const Scene& scene, const Viewport& viewport, double unit) {
   Bounds<double> box;
   const auto include = [&](const Vec2d& p) { box.include(Vec3d(p, 0)); };
@@ -27,15 +75,7 @@ PlanCamera fit(const Scene& scene, const Viewport& viewport, double unit) {
   include(screen.last);
   for (const Light& light : scene.lights)
     if (const auto middle = middle_of(light)) include(plan(*middle));
-  for (const Object& object : scene.objects) {
-    if (const auto* sphere = std::get_if<Sphere<double>>(&object.shape); sphere && object.transform.empty()) {
-      include(plan(sphere->centre) - plan_radius(*sphere));
-      include(plan(sphere->centre) + plan_radius(*sphere));
-    } else if (const auto footprint = footprint_of(object)) {
-      include(plan(footprint->min));
-      include(plan(footprint->max));
-    }
-  }
+  include_objects(scene, box);
   // For a wall, its nearest point, unless it is far away from everything.
   const Vec2d middle = plan(box.min + box.max) / 2.0;
   const double near = length(plan(box.max - box.min));

@@ -166,8 +166,10 @@ void SkyRoom::draw_in_plan(Painter& painter) {
         for (const double across : {-part, part})
           places.push_back(ring.middle + Vec2d(across * ring.a, side * (inwards - (60 * part + deeper) * unit)));
   const bool of_paths = integrator_of(*walked_scene(painter.state)) == Integrator::path;
-  painter.note(places,
-               std::string(text(of_paths ? "plan.sky_sampled" : "plan.sky", painter.state.appearance.language)));
+  const auto said = [&](std::string_view id) {
+    return painter.note_off_bodies(places, std::string(text(id, painter.state.appearance.language)));
+  };
+  if (!of_paths || !said("plan.sky_sampled")) said("plan.sky");
 }
 
 }  // namespace raywalk
