@@ -235,7 +235,7 @@ mutant cones_snell_upside_down cones trace/ray_cone.cpp 'eta = n1 / n2' 'eta = n
 mutant cones_segment_doubled cones trace/ray_cone.cpp '(arc - portable::sin(arc)) / 2' 'arc - portable::sin(arc)'
 mutant cones_small_segment_doubled cones trace/ray_cone.cpp 'arc * square / 12' 'arc * square / 6'
 mutant cones_one_segment_of_two cones trace/ray_cone.cpp 'segment(own) + radius * radius * segment(other)' 'segment(own)'
-mutant cones_gloss_narrows cones trace/ray_cone.cpp 'width.spread + more' 'width.spread - more'
+mutant cones_gloss_narrows cones trace/ray_cone.cpp 'min(width.spread + more' 'min(width.spread - more'
 mutant cones_facets_turn_once cones trace/ray_cone.cpp '{2, 2 * cos_in}' '{1, cos_in}'
 mutant cones_facets_turn_with_the_light cones trace/ray_cone.cpp 'std::abs(1 - in / cos_out)' 'std::abs(in / cos_out)'
 mutant cones_facets_as_wide_as_half cones trace/ray_cone.cpp '2 / std::numbers::sqrt3' '1 / std::numbers::sqrt3'
