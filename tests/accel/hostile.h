@@ -8,6 +8,7 @@
 
 #include "accel/accelerator.h"
 #include "accel/width.h"
+#include "meshes.h"
 #include "shape/numbers.h"
 
 namespace raywalk::test {
@@ -95,6 +96,21 @@ Comparison compare(const Accelerator<T>& list, const Accelerator<T>& tree, const
     }
   }
   return all;
+}
+
+// A ball, slivers twice, triangles without an area, and a ball that may move.
+template <class T>
+void add_hostile_meshes(Primitives<T>& all, const Affine<double>& place, double scale, bool moving) {
+  all.add(icosphere(2, Vec3d(0.0), 0.7), place, false);
+  all.add(slivers(), place * translation(Vec3d(0, -0.9, 0)), false);
+  all.add(slivers(), place * translation(Vec3d(0, -0.9, 0)), false);
+  Mesh flat;
+  flat.positions = {{1, 1, 1}, {1.1, 1, 1}, {1.2, 1, 1}, {1, 1.2, 1}};
+  flat.triangles = {{0, 1, 2}, {0, 0, 1}, {0, 2, 3}};
+  all.add(flat, place, false);
+  const int first = all.size();
+  all.add(icosphere(0, {0, 1, 0}, 0.3), place, false);
+  if (moving) all.move(first, all.size(), {{0, Vec3d(0.0)}, {1, scale * Vec3d(0.5, 0, 0.2)}});
 }
 
 }  // namespace raywalk::test

@@ -31,16 +31,7 @@ Primitives<T> mixture(double scale, const Vec3d& at) {
   Primitives<T> all;
   all.add(Sphere<T>{Vec3<T>(place.point({0.9, 0.9, 0})), static_cast<T>(0.2 * scale)});
   all.add(Plane<T>{Vec3<T>(place.point({0, -1.5, 0})), {0, 1, 0}});
-  all.add(icosphere(2, Vec3d(0.0), 0.7), place, false);
-  all.add(slivers(), place * translation(Vec3d(0, -0.9, 0)), false);
-  all.add(slivers(), place * translation(Vec3d(0, -0.9, 0)), false);
-  Mesh flat;
-  flat.positions = {{1, 1, 1}, {1.1, 1, 1}, {1.2, 1, 1}, {1, 1.2, 1}};
-  flat.triangles = {{0, 1, 2}, {0, 0, 1}, {0, 2, 3}};
-  all.add(flat, place, false);
-  const int first = all.size();
-  all.add(icosphere(0, {0, 1, 0}, 0.3), place, false);
-  all.move(first, all.size(), {{0, Vec3d(0.0)}, {1, scale * Vec3d(0.5, 0, 0.2)}});
+  add_hostile_meshes(all, place, scale, true);
   all.add_copy(std::make_shared<const Mesh>(icosphere(1, {1, 0, 0.5}, 0.3)), place, false);
   return all;
 }

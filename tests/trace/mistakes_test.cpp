@@ -13,7 +13,7 @@ namespace {
 
 /// The mean of the picture over seeds, with a fault or without.
 Means mean_with(Scene scene, std::optional<Fault> fault) {
-  constexpr int width = 8, height = 6, samples = 4, seeds = 6;
+  constexpr int samples = 4, seeds = 6;
   scene.render.numerics = Numerics::naive;
   const World<double> world(scene, AcceleratorKind::automatic, fault);
   SceneKernel<double> kernel(scene, world);
@@ -21,17 +21,9 @@ Means mean_with(Scene scene, std::optional<Fault> fault) {
   for (std::uint64_t seed = 0; seed < seeds; ++seed) {
     if (kernel.photons()) static_cast<void>(kernel.send_photons(seed, 0, samples));
     if (kernel.radiosity()) kernel.shoot_light();
-    const RayGenerator<double> camera(scene, {width, height}, {width, height}, {samples, seed});
-    double sum = 0;
-    const PutPixel<double> put = [&](const Pixel&, const Rgbd& shade) { sum += shade.x; };
-    static_cast<void>(kernel(camera, PixelBlock{0, width, 0, height, 0, 1, samples}, put));
-    values.push_back(sum / (width * height * samples));
+    values.push_back(mean_of_picture(kernel, scene, {8, 6}, samples, seed));
   }
-  Means means;
-  for (const double value : values) means.mean += value / seeds;
-  for (const double value : values) means.error += (value - means.mean) * (value - means.mean);
-  means.error = std::sqrt(means.error / (seeds - 1) / seeds);
-  return means;
+  return means_of(values);
 }
 
 struct Known {

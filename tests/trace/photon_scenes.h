@@ -43,25 +43,32 @@ inline Scene hollow_ball(double radius, double albedo, const Vec3d& lamp, const 
 struct Means {
   double mean = 0, error = 0;  ///< of the red channel: over all pixels and seeds, each seed one value
 };
-/// The mean of a picture over seeds. `of`: 3-D or flat.
-inline Means mean_of_pictures(const Scene& scene, int width, int height, int samples, int seeds, bool flat = false) {
-  const World<double> world(scene);
-  const SceneKernel<double> kernel(scene, world, std::nullopt, flat);
-  std::vector<double> values;
-  for (int seed = 0; seed < seeds; ++seed) {
-    const RayGenerator<double> camera(scene, {width, height}, {width, height},
-                                      {samples, static_cast<std::uint64_t>(seed)});
-    double sum = 0;
-    const PutPixel<double> put = [&](const Pixel&, const Rgbd& shade) { sum += shade.x; };
-    static_cast<void>(kernel(camera, PixelBlock{0, width, 0, height, 0, 1, samples}, put));
-    values.push_back(sum / (width * height * samples));
-  }
+inline Means means_of(const std::vector<double>& values) {
+  const auto seeds = static_cast<double>(values.size());
   Means means;
   for (const double value : values) means.mean += value / seeds;
   double squares = 0;
   for (const double value : values) squares += (value - means.mean) * (value - means.mean);
   means.error = std::sqrt(squares / (seeds - 1) / seeds);
   return means;
+}
+/// The mean of one picture.
+inline double mean_of_picture(const SceneKernel<double>& kernel, const Scene& scene, ImageSize size, int samples,
+                              std::uint64_t seed) {
+  const RayGenerator<double> camera(scene, size, size, {samples, seed});
+  double sum = 0;
+  const PutPixel<double> put = [&](const Pixel&, const Rgbd& shade) { sum += shade.x; };
+  static_cast<void>(kernel(camera, PixelBlock{0, size.width, 0, size.height, 0, 1, samples}, put));
+  return sum / (size.width * size.height * samples);
+}
+/// The mean of a picture over seeds. `of`: 3-D or flat.
+inline Means mean_of_pictures(const Scene& scene, int width, int height, int samples, int seeds, bool flat = false) {
+  const World<double> world(scene);
+  const SceneKernel<double> kernel(scene, world, std::nullopt, flat);
+  std::vector<double> values;
+  for (int seed = 0; seed < seeds; ++seed)
+    values.push_back(mean_of_picture(kernel, scene, {width, height}, samples, static_cast<std::uint64_t>(seed)));
+  return means_of(values);
 }
 
 /// Photons, with and without final gathering, bring on average what paths brought to 10 x 10 pixels. `precise`: the
