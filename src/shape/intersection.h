@@ -58,7 +58,7 @@ template <class T>
 
 /// The coordinates of an offset within a plane, along the plane's own two axes.
 template <class T>
-[[nodiscard]] Vec2<T> in_plane(const Vec3<T>& offset, const Vec3<T>& unit_normal) {
+[[nodiscard, gnu::always_inline]] inline Vec2<T> in_plane(const Vec3<T>& offset, const Vec3<T>& unit_normal) {
   if (std::abs(unit_normal.z) == 1) return {offset.x, offset.y};  // what the rest computes for most floors
   const PlaneAxes<T> frame = plane_axes(unit_normal);
   return {dot(offset, frame.u), dot(offset, frame.v)};

@@ -89,7 +89,8 @@ class Tracer {
   struct Generation {
     int number = 0;
   };
-  /// The differential of a ray that was spawned, or of any that has arrived at a hit; only in kernels that filter.
+  /// The differential of a ray that was spawned, or of any that has arrived at a hit; only in kernels that filter and
+  /// spawn rays.
   struct Neighbours {
     RayDifferential<T> differential;
   };
@@ -102,6 +103,8 @@ class Tracer {
   template <bool Has, class Member>
   using Only = std::conditional_t<Has, Member, Without<Member>>;
   static constexpr bool draws = Policy::effects.penumbra || Policy::effects.lobes;
+  static constexpr bool carries_differentials =
+      Policy::effects.filtering && (Policy::effects.reflection || Policy::effects.refraction);
   /// Whether the possible blockers of an area light are found once for all its samples; not with naive rays, whose
   /// origins differ.
   static constexpr bool culls = Policy::effects.penumbra && std::is_same_v<Ray, raywalk::Ray<T>>;
@@ -116,7 +119,7 @@ class Tracer {
     [[no_unique_address]] Only<draws, Branch> branch{};
     [[no_unique_address]] Only<Policy::effects.refraction, InMedium> in{};
     [[no_unique_address]] Only<Policy::faulty, Generation> generation{};
-    [[no_unique_address]] Only<Policy::effects.filtering, Neighbours> neighbours{};
+    [[no_unique_address]] Only<carries_differentials, Neighbours> neighbours{};
   };
   /// A ray to a light.
   struct Shadow {

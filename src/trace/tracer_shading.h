@@ -79,7 +79,7 @@ struct Tracer<Policy>::ShadingPoint {
   [[no_unique_address]] Only<Policy::effects.nesting, InMedium> behind{};  ///< of a transmitting surface
   std::optional<Rgb<T>> transmittance;  ///< of the absorbing object that the ray passed through
   [[no_unique_address]] Only<Policy::effects.textures, Tint> tint{};
-  [[no_unique_address]] Only<Policy::effects.filtering, Neighbours> neighbours{};
+  [[no_unique_address]] Only<carries_differentials, Neighbours> neighbours{};
   [[no_unique_address]] Only<Policy::effects.microfacets, Facets> facets{};
   [[no_unique_address]] Only<Policy::effects.maps, RougherFacets> rougher{};
   [[no_unique_address]] Only<Policy::effects.maps, Mapped> mapped{};
@@ -142,11 +142,13 @@ inline auto Tracer<Policy>::prepare(const TreeRay& ray, const Hit<T>& hit) -> Sh
   [[maybe_unused]] bool filtered = false;
   if constexpr (Policy::effects.filtering) {
     filtered = Policy::effects.textures && world_.filters(surface);
-    if (filtered || (Policy::effects.reflection && world_.filters())) {
+    if (filtered || (carries_differentials && world_.filters())) {
       const Vec3<T>& D = ray.ray.direction;
-      RayDifferential<T>& arrived = at.neighbours.differential;
-      arrived = ray.kind == RayKind::primary ? camera_.differential(D) : ray.neighbours.differential;
-      arrived = transfer(arrived, D, hit.t, point.normal);
+      RayDifferential<T> left;
+      if constexpr (carries_differentials) left = ray.neighbours.differential;
+      if (!carries_differentials || ray.kind == RayKind::primary) left = camera_.differential(D);
+      const RayDifferential<T> arrived = transfer(left, D, hit.t, point.normal);
+      if constexpr (carries_differentials) at.neighbours.differential = arrived;
       if constexpr (Policy::effects.textures)
         if (filtered) at.tint.colour = filtered_pattern(world_, arrived, hit, point, ray.ray.time);
     }

@@ -343,7 +343,7 @@ inline auto Tracer<Policy>::form_secondary_ray(Line line, int depth, const Shadi
   if constexpr (draws) formed.branch.path = child_path(parent.branch.path, static_cast<std::uint32_t>(kind));
   if constexpr (Policy::faulty) formed.generation.number = parent.generation.number + 1;
   if constexpr (Policy::effects.refraction) formed.in.medium = medium_on_side(at, parent, kind == RayKind::refract);
-  if constexpr (Policy::effects.filtering) {
+  if constexpr (carries_differentials) {
     if (world_.filters()) formed.neighbours.differential = differential_after(at, parent, kind, direction);
   }
   ++statistics_.formed(kind);
