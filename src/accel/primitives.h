@@ -119,7 +119,8 @@ class Primitives {
       return raywalk::intersect(own(id), ray, t_max, departed_part(ray, id), explain);
     if (id < shape_count() && plain_[static_cast<std::size_t>(id)] == Plain::transformed)
       return intersect_at_rest(id, ray, t_max, explain);
-    if (sheared && still_triangle(id))
+    // Asked of all triangles at once: where nothing moves, asking each would cost even those that are no triangles.
+    if (sheared && id >= shape_count() && !triangles_move_)
       return unless_left(id, ray,
                          triangles_.intersect(id - shape_count(), *sheared, t_max, departed_part(ray, id), explain));
     return intersect_any(id, ray, t_max, explain);

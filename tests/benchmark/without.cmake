@@ -1,16 +1,22 @@
 # For hooks.sh and effects.sh: benchmark_hooks once more, over copies of a few files of src from which some code is taken
 # out. So the program itself need not know that it is measured.
 
-# In the program NAME, NEW stands for OLD, which must be in src/FILE.
-function(benchmark_replace name file old new)
+# benchmark_replace(NAME FILE OLD NEW [OLD NEW]...): in the program NAME, NEW stands for OLD, which must be in src/FILE.
+function(benchmark_replace name file)
   set(from "${CMAKE_SOURCE_DIR}/src/${file}")
   set(to "${CMAKE_CURRENT_BINARY_DIR}/benchmark/${name}/${file}")
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${from}")
-  file(READ "${from}" text)
-  string(REPLACE "${old}" "${new}" changed "${text}")
-  if(changed STREQUAL text)
-    message(FATAL_ERROR "tests/benchmark/without.cmake: src/${file} does not have: ${old}")
-  endif()
+  file(READ "${from}" changed)
+  set(at 2)
+  while(at LESS ARGC)
+    math(EXPR next "${at} + 1")
+    set(text "${changed}")
+    string(REPLACE "${ARGV${at}}" "${ARGV${next}}" changed "${text}")
+    if(changed STREQUAL text)
+      message(FATAL_ERROR "tests/benchmark/without.cmake: src/${file} does not have: ${ARGV${at}}")
+    endif()
+    math(EXPR at "${at} + 2")
+  endwhile()
   set(before "")
   if(EXISTS "${to}")
     file(READ "${to}" before)
@@ -54,7 +60,7 @@ endforeach()
 benchmark_replace(without_depth_of_field trace/ray_generator.cpp "if (lens_radius_ > 0)" "if (false)")
 benchmark_replace(without_antialiasing trace/ray_generator.cpp "if (sampling_.per_pixel > 1)" "if (false)")
 benchmark_replace(without_motion_blur trace/ray_generator.cpp "if (moves_)" "if (false)")
-benchmark_replace(without_motion_blur accel/primitives.h "return may ?" "return may && false ?")
+benchmark_replace(without_motion_blur accel/primitives.h "return may ?" "return may && false ?" " && !triangles_move_" "")
 
 set(removed hooks_removed)
 foreach(effect shadows reflection refraction gloss translucency penumbra depth_of_field motion_blur antialiasing textures sky filtering microfacets maps)
