@@ -37,10 +37,12 @@ struct NormalDifferential {
   Vec3<T> x{0}, y{0};
 };
 
-/// Of a ray from the eye, D = d / |d| where d = view + x right + y up (equation 8). `length`: of d; `right`: for y, up.
+/// Of a ray from the eye, D = d / |d| where d = view + x right + y up (equation 8). `per_length`: 1 / |d|; `right`: for
+/// y, up.
 template <class T>
-[[nodiscard, gnu::always_inline]] inline RayDerivative<T> from_eye(const Vec3<T>& D, T length, const Vec3<T>& right) {
-  return {Vec3<T>(0), (right - dot(D, right) * D) * (1 / length)};
+[[nodiscard, gnu::always_inline]] inline RayDerivative<T> from_eye(const Vec3<T>& D, T per_length,
+                                                                   const Vec3<T>& right) {
+  return {Vec3<T>(0), (right - dot(D, right) * D) * per_length};
 }
 
 /// From P to the hit P + t D, whose geometric normal is N (equations 10 and 12).
@@ -48,7 +50,7 @@ template <class T>
 [[nodiscard, gnu::always_inline]] inline RayDerivative<T> transfer(const RayDerivative<T>& ray, const Vec3<T>& D, T t,
                                                                    const Vec3<T>& N) {
   const Vec3<T> without_dt = ray.dP + t * ray.dD;
-  const T dt = -dot(without_dt, N) / dot(D, N);
+  const T dt = -dot(without_dt, N) * (1 / dot(D, N));  // divided once for x and y, and without waiting for either
   return {without_dt + dt * D, ray.dD};
 }
 

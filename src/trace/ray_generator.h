@@ -123,8 +123,8 @@ class RayGenerator {
   /// Of a ray with this unit direction: through the lens as through a pinhole, for both lie at one distance from the
   /// plane in focus, to which d of the paper leads. A pixel is one of the whole image, also in a cell of its strip.
   [[nodiscard]] RayDifferential<T> differential(const Vec3<T>& direction) const {
-    const T length = 1 / dot(direction, forward_);
-    return {from_eye(direction, length, sample_right_), from_eye(direction, length, sample_up_)};
+    const T per_length = dot(direction, forward_);
+    return {from_eye(direction, per_length, sample_right_), from_eye(direction, per_length, sample_up_)};
   }
   /// The distance of a pixel's samples from each other, in pixels: 1 / sqrt(n).
   [[nodiscard]] T spacing() const { return spacing_; }

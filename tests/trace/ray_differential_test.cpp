@@ -166,8 +166,7 @@ TEST_CASE("differentials equal dual numbers, whatever bends the ray") {
       // Of the truth only the derivatives are carried on: its values are those of the ray that is followed.
       Dual3 D = unit(dual(forward) + Dual{u, by_x ? step : 0} * dual(right) + Dual{v, by_x ? 0 : step} * dual(up));
       Ray<double> ray{eye, D.value()};
-      RayDerivative<double> found =
-          from_eye(ray.direction, 1 / dot(ray.direction, forward), step * (by_x ? right : up));
+      RayDerivative<double> found = from_eye(ray.direction, dot(ray.direction, forward), step * (by_x ? right : up));
       Dual3 P = dual(eye);
       worst = std::max(worst, error(found.dD, D.derivative()));
       for (int bounce = 0; bounce < 7; ++bounce) {
