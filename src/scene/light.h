@@ -1,6 +1,6 @@
 #pragma once
 // The lights of a scene. Each kind has a file in scene/lights: its numbers, and its answers to what everyone else asks
-// (concept LightKind). A new kind needs its file, a place in the list below, and its keys in scene/schema.h.
+// (concept LightKind). A new kind needs its file, a place in the list below, and its keys in scene/schema_lights.h.
 
 #include "scene/lights/directional_light.h"
 #include "scene/lights/point_light.h"
