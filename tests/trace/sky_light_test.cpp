@@ -4,6 +4,7 @@
 
 #include "math/transform.h"
 #include "support/catch.h"
+#include "support/effort.h"
 #include "trace/clear_sky.h"
 #include "trace/paths.h"
 #include "trace/sampled.h"
@@ -183,8 +184,10 @@ TEST_CASE("a constant sky lights a level floor with pi L, an overcast one with 7
   CHECK(irradiance(SkyLight({OvercastSky{Rgbd(2.0)}}, Rgbd(0.0))) == Approx(2 * 7 * sky_pi / 9).epsilon(5e-5));
   CHECK(irradiance(SkyLight({GradientSky{Rgbd(0.5), Rgbd(2.0)}}, Rgbd(9.0))) ==
         Approx(0.5 * sky_pi + 1.5 * 2 * sky_pi / 3).epsilon(5e-5));
+  std::size_t number = 0;
   for (const PathStrategy strategy : {PathStrategy::both, PathStrategy::lights, PathStrategy::directions})
     for (const SkySampling how : {SkySampling::by_brightness, SkySampling::uniform}) {
+      if (left_out(number++, 4)) continue;
       const PathSettings settings{2, never, strategy, how};
       const auto seen = [&](const Sky& sky) {
         return light_along(floor_under(sky), {0, 0, 2}, {0, 0, 0}, 1 << 16, settings).mean.x;
