@@ -281,7 +281,7 @@ mutant differentials_map_forgotten differentials shape/object_transform.h 'retur
 mutant differentials_corners_alike differentials accel/triangles.h 'bc.x * (b - a) + bc.y * (c - a)' 'bc.x * (b - a)'
 mutant checker_border_clockwise differentials trace/checker_filter.cpp 'integral / cross(p, q)' 'integral / std::abs(cross(p, q))'
 mutant checker_integral_of_another_row differentials trace/checker_filter.cpp 'return std::abs(within_period(u)) - 0.5' 'return 0.5 - std::abs(within_period(u))'
-mutant checker_line_by_its_shorter_way differentials trace/checker_filter.cpp 'if (std::abs(way.x) < std::abs(way.y)) return' 'if (std::abs(way.x) > std::abs(way.y)) return'
+mutant checker_line_half_exchanged differentials trace/checker_filter.cpp 'mean_along(exchanged(centre), exchanged(way))' 'mean_along(centre, exchanged(way))'
 mutant checker_lines_counted_once differentials trace/checker_filter.cpp 'sum += 2 * wave * F(' 'sum += wave * F('
 mutant checker_by_parts_without_its_ends differentials trace/checker_filter.cpp 'return (S_S(a + way) - S_S(a)) - (S_S(b + way) - S_S(b)) - du_dv' 'return -du_dv'
 

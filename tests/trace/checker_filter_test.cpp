@@ -66,10 +66,10 @@ TEST_CASE("the share of even squares is that of many points") {
     const Vec2d place(10 * number(), 10 * number());
     const Footprint<double> footprint{size * Vec2d(number(), number()), size * Vec2d(number(), number())};
     CAPTURE(i, place.x, place.y, footprint.x.x, footprint.x.y, footprint.y.x, footprint.y.y);
-    CHECK(even_share(place, 1.0, footprint) == Approx(by_points(place, footprint, 500)).margin(0.006));
+    CHECK(even_share(place, 1.0, footprint) == Approx(by_points(place, footprint, 500)).epsilon(0).margin(0.006));
     // Scaled with the squares.
     CHECK(even_share(3.0 * place, 3.0, Footprint<double>{3.0 * footprint.x, 3.0 * footprint.y}) ==
-          Approx(even_share(place, 1.0, footprint)).margin(1e-9));
+          Approx(even_share(place, 1.0, footprint)).epsilon(0).margin(1e-9));
   }
 }
 
@@ -102,15 +102,19 @@ TEST_CASE("the share of even squares is exact where it can be said") {
   CHECK(share({-0.5, 0.5}, {0, 0}, {0, 0}) == 0);
   CHECK(share({-0.5, -0.5}, {0, 0}, {0, 0}) == 1);
   // Half of an even square and half of an odd one; a quarter of four; three quarters.
-  CHECK(share({1, 0.5}, {0.5, 0}, {0, 0.5}) == Approx(0.5).margin(1e-15));
-  CHECK(share({1, 1}, {1, 0}, {0, 1}) == Approx(0.5).margin(1e-15));
-  CHECK(share({0.875, 0.5}, {0.5, 0}, {0, 0.5}) == Approx(0.75).margin(1e-15));
+  CHECK(share({1, 0.5}, {0.5, 0}, {0, 0.5}) == Approx(0.5).epsilon(0).margin(1e-15));
+  CHECK(share({1, 1}, {1, 0}, {0, 1}) == Approx(0.5).epsilon(0).margin(1e-15));
+  CHECK(share({0.875, 0.5}, {0.5, 0}, {0, 0.5}) == Approx(0.75).epsilon(0).margin(1e-15));
   // Whole periods, whichever way the sides turn.
-  for (const double sign : {1.0, -1.0}) CHECK(share({0.3, 0.7}, {4, 0}, {0, sign * 6}) == Approx(0.5).margin(2e-11));
+  for (const double sign : {1.0, -1.0})
+    CHECK(share({0.3, 0.7}, {4, 0}, {0, sign * 6}) == Approx(0.5).epsilon(0).margin(1e-14));
   // A thin one along a diagonal, which stays on even squares; and a line of no width.
   CHECK(share({0.5, 0.5}, {12, 12}, {0.0001, -0.0001}) > 0.999);
-  CHECK(share({0.5, 0.5}, {12, 12}, {0, 0}) == Approx(1).margin(2e-11));
-  CHECK(share({0.5, 0.5}, {2, 0}, {0, 0}) == Approx(0.5).margin(2e-11));
+  CHECK(share({0.5, 0.5}, {12, 12}, {0, 0}) == Approx(1).epsilon(0).margin(1e-12));
+  CHECK(share({0.5, 0.5}, {2, 0}, {0, 0}) == Approx(0.5).epsilon(0).margin(1e-12));
+  // From (0, 1/4) to (2, 5/4), or with u for v: even for a half, odd for a quarter, even again.
+  CHECK(share({1, 0.75}, {2, 1}, {0, 0}) == Approx(0.75).epsilon(0).margin(1e-12));
+  CHECK(share({0.75, 1}, {1, 2}, {0, 0}) == Approx(0.75).epsilon(0).margin(1e-12));
   // Beyond counting, and where nothing can be said.
   CHECK(share({0.5, 0.5}, {1e7, 3}, {2, 1e8}) == 0.5);
   CHECK(share({0.5, 0.5}, {std::nan(""), 0}, {0, 1}) == 0.5);
@@ -128,5 +132,5 @@ TEST_CASE("the share of even squares has no jumps") {
     if (last >= 0) REQUIRE(std::abs(now - last) < 2e-3);
     last = now;
   }
-  CHECK(last == Approx(0.5).margin(0.01));
+  CHECK(last == Approx(0.5).epsilon(0).margin(0.01));
 }

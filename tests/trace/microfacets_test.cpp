@@ -64,7 +64,7 @@ TEST_CASE("a metal reflects by Fresnel: at right angles, at grazing angles, and 
       CAPTURE(n, k);
       const Conductor<double> conductor{Rgbd(n), Rgbd(k)};
       const double straight = ((n - 1) * (n - 1) + k * k) / ((n + 1) * (n + 1) + k * k);
-      CHECK(conductor.reflectance(1).x == Approx(straight).margin(1e-15));
+      CHECK(conductor.reflectance(1).x == Approx(straight).epsilon(0).margin(1e-15));
       CHECK(conductor.reflectance(0).x == 1);
       for (double cos = 0.001; cos < 1; cos += 0.007) {
         const double reflected = conductor.reflectance(cos).x;
@@ -72,7 +72,7 @@ TEST_CASE("a metal reflects by Fresnel: at right angles, at grazing angles, and 
         CHECK(reflected <= 1);
         if (k > 0) continue;
         const auto glass = refraction_at(-above(cos, 0), Vec3d(0, 0, 1), 1.0, n);
-        if (n >= 1) CHECK(reflected == Approx(glass.fresnel()).margin(1e-12));
+        if (n >= 1) CHECK(reflected == Approx(glass.fresnel()).epsilon(0).margin(1e-12));
       }
     }
   // Complex numbers say the same.
@@ -104,9 +104,9 @@ TEST_CASE("gold is yellow, copper red, silver and aluminium have hardly a colour
 TEST_CASE("a white mirror of small mirrors is white: nothing is lost or won, however rough it is") {
   std::size_t number = 0;
   for (const double alpha : alphas) {
-    if (left_out(number++, 4)) continue;
     const Microsurface<double> mirrors = mirrors_of(alpha);
     for (const double cos : {1.0, 0.9, 0.6, 0.3, 0.1, 0.03, 0.01}) {
+      if (left_out(number++, 11)) continue;
       CAPTURE(alpha, cos);
       CHECK(furnace(surface(mirrors, cos), 1 << 15).x == Approx(1).margin(1e-3));
       CHECK(mirrors.facets->reflectance(cos) <= 1);
@@ -186,7 +186,7 @@ TEST_CASE("directions from small mirrors pass the chi-square test") {
   std::size_t number = 0;
   for (const double alpha : {0.1, 0.4, 1.0})
     for (const double cos : {1.0, 0.6, 0.1}) {
-      if (left_out(number++, 3)) continue;
+      if (left_out(number++, 5)) continue;
       CAPTURE(alpha, cos);
       const Microfacets<double> facets(alpha);
       const Vec3d eye = above(cos, 0);

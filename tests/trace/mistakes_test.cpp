@@ -76,7 +76,7 @@ Known where_it_is_known(Fault fault) {
 
 }  // namespace
 
-TEST_CASE("mistakes about light from everywhere are seen where that light is known") {
+TEST_CASE("mistakes about light from everywhere are seen where that light is known", "[odds]") {
   int tried = 0;
   for (const Fault fault : values_of<Fault>) {
     if (integrator_of(fault) == Integrator::automatic) continue;

@@ -152,7 +152,7 @@ TEST_CASE("a disc is one face, whose corners lie on its rim, wherever it is move
   double twice = 0;
   detail::for_each_side(face, [&](const Vec3d& from, const Vec3d& to) {
     twice += dot(cross(from, to), face.plane.normal);
-    CHECK(face.plane.above(from) == Approx(0).margin(1e-12));
+    CHECK(face.plane.above(from) == Approx(0).epsilon(0).margin(1e-12));
     CHECK(length((from - Vec3d(2, 2.5, 3.25)) / Vec3d(2, 1, 1)) == Approx(0.7).epsilon(1e-12));
   });
   CHECK(twice / 2 == Approx(2 * 32 * 0.49 * std::sin(2 * std::numbers::pi / 64)).epsilon(1e-12));
@@ -190,7 +190,8 @@ TEST_CASE("the squares of a checker are cut, in mirrors too, and far away they h
   scene.camera.look_at = {0, 0, 0};
   scene.camera.screen = {1, 2, 1};
   const auto far = picture_of<double>(scene, 9, 9);
-  for (int column = 0; column < 9; ++column) CHECK(far.at(column, 4).y == Approx((0.9 + 0.3) / 2 / 2).margin(1e-9));
+  for (int column = 0; column < 9; ++column)
+    CHECK(far.at(column, 4).y == Approx((0.9 + 0.3) / 2 / 2).epsilon(0).margin(1e-9));
 }
 
 TEST_CASE("a point light's shadow on a floor is as large as that of its triangle") {
@@ -358,7 +359,7 @@ TEST_CASE("four beams of a pixel see together what one does where shades do not 
   static_cast<void>(trace_space_beams<double>(world, faces, camera, block, [&](const Pixel& pixel, const Rgbd& shade) {
     sums[static_cast<std::size_t>(pixel.row * 6 + pixel.column)] += shade / 4.0;
   }));
-  for (std::size_t i = 0; i < sums.size(); ++i) CHECK(sums[i].x == Approx(one.pixels[i].x).margin(1e-9));
+  for (std::size_t i = 0; i < sums.size(); ++i) CHECK(sums[i].x == Approx(one.pixels[i].x).epsilon(0).margin(1e-9));
 }
 
 TEST_CASE("watching beams in space changes no bit, and tells of parts that are the pixel") {
