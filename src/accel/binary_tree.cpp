@@ -29,7 +29,7 @@ struct Binning {
 
 /// The cheapest plane: items whose bin is below `bin` go to the left.
 struct Split {
-  float cost = infinity<float>;  ///< of both sides, in units of area times tests
+  float cost = infinity<float>;  ///< of both sides, in units of MeetingChance times tests
   std::size_t axis = 0, bin = 0;
   Bin left, right;
 };
@@ -47,9 +47,10 @@ class Builder {
       root.count += Tally::of(item);
     });
     root.box = whole.bounds();
-    tree_.per_unit = 1 / std::max(max_component(root.box.max - root.box.min), std::numeric_limits<float>::min());
-    root_area_ = half_area(whole);
-    if (quality_ == BuildQuality::best && corners) splitter_.emplace(corners, tree_.per_unit);
+    tree_.chance = MeetingChance(whole);
+    // Without triangles the tree is one of areas, and stays the one it was (wide_tree.cpp).
+    if (root.count.packed == 0) tree_.chance.per_volume = 0, cost_of_split_ = Tally::cost_of_node;
+    if (quality_ == BuildQuality::best && corners) splitter_.emplace(corners, tree_.chance);
     tree_.items.reserve(waiting_.size());
     // About as many as there will be, so that the list is seldom copied.
     tree_.nodes.reserve(static_cast<std::size_t>(root.count.packed) / 2 +
@@ -59,7 +60,7 @@ class Builder {
   }
 
  private:
-  [[nodiscard]] float half_area(const LaneBox& box) const { return box.half_area(tree_.per_unit); }
+  [[nodiscard]] float chance(const LaneBox& box) const { return tree_.chance(box); }
   /// Fewer where there is little to tell apart: most nodes are small.
   [[nodiscard]] std::size_t bins_for(std::int32_t items) const {
     return items > 64 && quality_ != BuildQuality::fast ? most_bins : most_bins / 2;
@@ -107,7 +108,7 @@ class Builder {
         below.box.include(bin[i - 1].box), below.count += bin[i - 1].count;
         if (below.count.all() == 0 || above[i].count.all() == 0) continue;
         const float cost =
-            half_area(below.box) * below.count.leaf_cost() + half_area(above[i].box) * above[i].count.leaf_cost();
+            chance(below.box) * below.count.expected_cost() + chance(above[i].box) * above[i].count.expected_cost();
         if (cost < best.cost) best = {cost, axis, i, below, above[i]};
       }
     }
@@ -135,12 +136,14 @@ class Builder {
     if (node.count.all() == 1) return end_as_leaf(LeafReason::single);
     Split best;
     if (depth < BinaryTree::max_depth - 1) best = cheapest(node, centres);
-    const SpatialPlane plane = spare > 0 && depth < BinaryTree::max_depth - 1 ? plane_for(node, best) : SpatialPlane{};
+    // Not for the few of a leaf, which are tested together.
+    const bool may_split_space = spare > 0 && !node.count.fits_leaf() && depth < BinaryTree::max_depth - 1;
+    const SpatialPlane plane = may_split_space ? plane_for(node, best) : SpatialPlane{};
     const float cost = std::min(best.cost, plane.cost);
     const bool found = cost < infinity<float>;
-    const float area = half_area(LaneBox(node.box));
-    if (told && found && area > 0) {
-      told->split_cost = static_cast<double>(cost / area + Tally::cost_of_node);
+    const float own_chance = chance(LaneBox(node.box));
+    if (told && found && own_chance > 0) {
+      told->split_cost = static_cast<double>(cost / own_chance + cost_of_split_);
       told->leaf_cost = static_cast<double>(node.count.leaf_cost());
       told->axis = plane.cost < best.cost ? plane.axis : static_cast<int>(best.axis);
       const float low = centres.min[told->axis], high = centres.max[told->axis];
@@ -149,7 +152,7 @@ class Builder {
                                                      : low + (high - low) * static_cast<float>(best.bin) /
                                                                  static_cast<float>(bins_for(node.count.all())));
     }
-    if (node.count.fits_leaf() && !(cost / area + Tally::cost_of_node < node.count.leaf_cost()))
+    if (node.count.fits_leaf() && !(cost / own_chance + cost_of_split_ < node.count.leaf_cost()))
       return end_as_leaf(found ? LeafReason::split_costs_more : LeafReason::same_place);
 
     Bin left, right;
@@ -191,12 +194,12 @@ class Builder {
 
   /// A plane that splits space, where the boxes of the best split of the list overlap so much that it may pay.
   [[nodiscard]] SpatialPlane plane_for(const BinaryNode& node, const Split& best) const {
-    constexpr float enough = 0.01F;  // of the root's area, after Stich et al.
+    constexpr float enough = 0.01F;  // of the root's, after Stich et al.
     if (best.cost < infinity<float>) {
       LaneBox overlap;
       overlap.min = max(best.left.box.min, best.right.box.min);
       overlap.max = min(best.left.box.max, best.right.box.max);
-      if (!(half_area(overlap) > enough * root_area_)) return {};
+      if (!(chance(overlap) > enough * chance(LaneBox(tree_.nodes[0].box)))) return {};
     }
     return splitter_->cheapest(items_of(node), node.box);
   }
@@ -245,8 +248,8 @@ class Builder {
   std::vector<TreeItem> waiting_;
   const BuildOptions& build_;
   BuildQuality quality_;
+  float cost_of_split_ = 0.2F;  ///< in tests of one primitive: most splits only fill a wide node, few make another one
   std::optional<SpatialSplitter> splitter_;
-  float root_area_ = 0;
 };
 
 }  // namespace
@@ -259,7 +262,8 @@ BuildQuality BuildOptions::quality_for(std::size_t triangles) const {
   return hurry ? BuildQuality::fast : BuildQuality::good;
 }
 
-BinaryTree::BinaryTree(std::vector<TreeItem> all, const BuildOptions& build, const CornersOf& corners) : per_unit(1) {
+BinaryTree::BinaryTree(std::vector<TreeItem> all, const BuildOptions& build, const CornersOf& corners)
+    : chance(LaneBox{}) {
   Builder(*this, std::move(all), build, corners);
 }
 

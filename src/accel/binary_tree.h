@@ -2,6 +2,7 @@
 // The binary tree that a WideTree is collapsed from.
 
 #include "accel/build_record.h"
+#include "accel/lane_box.h"
 #include "accel/spatial_split.h"
 #include "accel/tree_item.h"
 
@@ -20,19 +21,19 @@ struct BinaryNode {
   [[nodiscard]] bool leaf() const { return left == 0; }
 };
 
-/// Built top-down by the surface area heuristic over bins (J. Goldsmith and J. Salmon 1987; I. Wald, "On fast
+/// Built top-down over bins by what both sides of a plane are expected to cost as leaves (I. Wald, "On fast
 /// construction of SAH-based bounding volume hierarchies", 2007).
 struct BinaryTree {
   /// Over items with finite, non-empty boxes, at least one. With `corners`, space may be split too where the best
   /// quality is asked for.
   BinaryTree(std::vector<TreeItem> items, const BuildOptions& build, const CornersOf& corners);
 
-  /// Levels by the heuristic; what is left then is halved until it fits into leaves, at most 31 times.
+  /// Levels by that cost; what is left then is halved until it fits into leaves, at most 31 times.
   static constexpr std::size_t max_depth = 64, most_levels = max_depth + 31;
 
   std::vector<BinaryNode> nodes;  ///< the root is the first
   std::vector<TreeItem> items;    ///< those that were split more than once
-  float per_unit;                 ///< what LaneBox::half_area takes
+  MeetingChance chance;           ///< within the root
 };
 
 }  // namespace raywalk

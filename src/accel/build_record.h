@@ -37,7 +37,7 @@ struct BuildStep {
     split,   ///< a node is split in two by a plane
     eight,   ///< a cube is split into eight, of which the empty ones are dropped
     leaf,    ///< a node becomes a leaf
-    joined,  ///< up to eight nodes of a binary tree become one
+    joined,  ///< up to eight nodes of a binary tree become one: where they are once subtrees have been moved
     cells,   ///< a grid's cells are laid out
     listed,  ///< a primitive is listed in all cells of a grid that its box overlaps
   };
@@ -75,8 +75,8 @@ struct BuildRecord {
 enum class BuildQuality {
   automatic,  ///< fast where few rays are expected, else good
   fast,       ///< planes are tried along one axis
-  good,
-  best  ///< space is split too (accel/spatial_split.h): pays where the boxes of triangles overlap much
+  good,       ///< along all, and subtrees are then put where they belong (accel/reinsertion.h)
+  best        ///< space is split too (accel/spatial_split.h): pays where the boxes of triangles overlap much
 };
 template <>
 inline constexpr Word<BuildQuality> words_of<BuildQuality>[] = {{BuildQuality::automatic, "auto"},

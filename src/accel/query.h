@@ -294,8 +294,8 @@ struct AcceleratorStatistics {
   std::size_t references = 0;  ///< entries of primitives in leaves or cells
   int depth = 0;               ///< of the deepest leaf; 0 for a single one
   std::size_t bytes = 0;       ///< of the structure, without the primitives
-  /// What a ray that meets the box of all is expected to cost, in tests of one primitive: the surface area heuristic
-  /// (J. Goldsmith and J. Salmon 1987). 0 for what is no tree over meshes.
+  /// What a ray is expected to cost that meets the box of all, or begins in it, in tests of one primitive: what a tree
+  /// was built to make least (MeetingChance). 0 for what is no tree over meshes.
   double expected_cost = 0;
   double build_seconds = 0;  ///< from the primitives to a searchable structure
 };

@@ -180,7 +180,7 @@ SpatialSplitter::Sides SpatialSplitter::part(std::span<const TreeItem> items, co
     };
     // One by one, for a single item rarely fills another pack.
     const auto cost = [&](const LaneBox& box, const Tally& count) {
-      return box.half_area(per_unit_) * static_cast<float>(count.all());
+      return chance_(box) * static_cast<float>(count.all());
     };
     const float split = cost(sides.left.box, sides.left.count) + cost(sides.right.box, sides.right.count);
     const float all_left = cost(with(sides.left), sides.left.count) + cost(sides.right.box, without(sides.right));

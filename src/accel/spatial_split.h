@@ -17,7 +17,7 @@ namespace raywalk {
 /// The corners of a triangle that packs hold, by its id, in double.
 using CornersOf = std::function<std::array<Vec3d, 3>(std::int32_t id)>;
 
-/// A plane, and the expected cost of both its sides in units of area times tests.
+/// A plane, and the expected cost of both its sides in units of MeetingChance times tests.
 struct SpatialPlane {
   float cost = infinity<float>;
   int axis = 0;
@@ -26,8 +26,7 @@ struct SpatialPlane {
 
 class SpatialSplitter {
  public:
-  /// `per_unit`: as LaneBox::half_area takes it.
-  SpatialSplitter(const CornersOf& corners, float per_unit) : corners_(corners), per_unit_(per_unit) {}
+  SpatialSplitter(const CornersOf& corners, const MeetingChance& chance) : corners_(corners), chance_(chance) {}
 
   /// The cheapest of some planes that cut `box`, the items' own; of infinite cost where none parts them.
   [[nodiscard]] SpatialPlane cheapest(std::span<const TreeItem> items, const Bounds<float>& box) const;
@@ -43,11 +42,11 @@ class SpatialSplitter {
   /// The box of the part of an item between two planes, rounded out; empty where nothing of it lies there.
   [[nodiscard]] Bounds<float> clipped(const TreeItem& item, int axis, float low, float high) const;
   [[nodiscard]] float cost(const LaneBox& box, const Tally& count) const {
-    return box.half_area(per_unit_) * count.leaf_cost();
+    return chance_(box) * count.expected_cost();
   }
 
   const CornersOf& corners_;
-  float per_unit_;
+  MeetingChance chance_;
 };
 
 }  // namespace raywalk

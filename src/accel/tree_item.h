@@ -27,6 +27,12 @@ struct Tally {
     return cost_of_pack * static_cast<float>((packed + 7) / static_cast<std::int32_t>(tree_width)) +
            static_cast<float>(others);
   }
+  /// Of what may be split further: how many of the last pack's places will be left empty is not known.
+  [[nodiscard]] float expected_cost() const {
+    constexpr auto width = static_cast<float>(tree_width);
+    if (packed <= static_cast<std::int32_t>(tree_width)) return leaf_cost();
+    return cost_of_pack * (static_cast<float>(packed) + (width - 1) / 2) / width + static_cast<float>(others);
+  }
   [[nodiscard]] bool fits_leaf() const {
     return others <= most_listed && (packed == 0 || all() <= static_cast<std::int32_t>(tree_width));
   }

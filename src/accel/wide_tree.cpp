@@ -1,16 +1,22 @@
 #include "accel/wide_tree.h"
 
 #include "accel/binary_tree.h"
+#include "accel/reinsertion.h"
 #include "accel/search_record.h"
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <utility>
 
 namespace raywalk {
 
 class WideTree::Builder {
  public:
+  /// Whether what it costs is searched for the least. Not without triangles: what beams see is cut into pieces in the
+  /// order in which their faces come (trace/beam_faces.h), so that another tree over them is another picture.
+  static bool mends(const BinaryTree& binary) { return binary.nodes[0].count.packed > 0; }
+
   Builder(WideTree& tree, const BinaryTree& binary, const BuildOptions& build)
       : tree_(tree), binary_(binary), build_(build) {
     std::size_t packs = 0, listed = 0;
@@ -21,38 +27,94 @@ class WideTree::Builder {
     }
     tree_.packs_.reserve(packs);
     tree_.ids_.reserve(listed);
+    if (mends(binary_)) {
+      shares_.resize(binary_.nodes.size());
+      share(0);
+    }
     tree_.nodes_.reserve(wide_nodes(0));
     collapse(0, 0);
     tree_.items_ = binary_.items.size();
-    const float whole = area_of(binary_.nodes[0]);
-    tree_.expected_cost_ = whole > 0 ? areas_ / static_cast<double>(whole) : 0;
+    const float whole = chance_of(binary_.nodes[0]);
+    tree_.expected_cost_ = whole > 0 ? cost_ / static_cast<double>(whole) : 0;
   }
 
  private:
-  [[nodiscard]] float area_of(const BinaryNode& node) const { return LaneBox(node.box).half_area(binary_.per_unit); }
+  [[nodiscard]] float chance_of(const BinaryNode& node) const { return binary_.chance(LaneBox(node.box)); }
 
-  /// The binary nodes that become the children of one wide node: the largest inner one is replaced by its own children
-  /// until there are eight or only leaves.
+  /// Of a binary node, where it and its descendants become at most so many children of a wide node: how many of them
+  /// are to the left; 0 where it is a single one. By the number of children.
+  using Shares = std::array<std::uint8_t, tree_width + 1>;
+  /// The least cost of that, in units of MeetingChance times tests, for 1, 2, ... 7 children.
+  using Costs = std::array<float, tree_width - 1>;
+
+  /// Finds the cheapest for the binary node at `index` and its descendants.
+  Costs share(std::uint32_t index) {
+    const BinaryNode& node = binary_.nodes[index];
+    const float chance = chance_of(node);
+    Costs costs;
+    if (node.leaf()) {
+      costs.fill(chance * node.count.leaf_cost());
+      return costs;
+    }
+    build_.stop.check();
+    const Costs left = share(node.left), right = share(node.left + 1);
+    Shares& shares = shares_[index];
+    const auto cheapest = [&](std::size_t children) {
+      float least = infinity<float>;
+      for (std::size_t of_left = 1; of_left < children; ++of_left) {
+        const float cost = left[of_left - 1] + right[children - of_left - 1];
+        if (of_left == 1 || cost < least) least = cost, shares[children] = static_cast<std::uint8_t>(of_left);
+      }
+      return least;
+    };
+    costs[0] = chance * Tally::cost_of_node + cheapest(tree_width);
+    for (std::size_t children = 2; children < tree_width; ++children) {
+      costs[children - 1] = cheapest(children);
+      if (costs[children - 1] < costs[children - 2]) continue;
+      costs[children - 1] = costs[children - 2], shares[children] = shares[children - 1];
+    }
+    return costs;
+  }
+
+  /// The binary nodes that become the children of one wide node.
   struct Opened {
     std::array<std::uint32_t, tree_width> nodes{};
-    std::size_t count = 1;
+    std::size_t count = 0;
   };
   [[nodiscard]] Opened opened(std::uint32_t index) const {
-    Opened all{{index}};
+    Opened all;
+    if (shares_.empty())
+      open_largest(index, all);
+    else
+      open(index, tree_width, all);
+    return all;
+  }
+  /// The largest inner one is replaced by its own children until there are eight or only leaves.
+  void open_largest(std::uint32_t index, Opened& all) const {
+    all.nodes[all.count++] = index;
     while (all.count < all.nodes.size()) {
       std::uint32_t* largest = nullptr;
       float most = -1;
       for (std::size_t i = 0; i < all.count; ++i) {
         const BinaryNode& node = binary_.nodes[all.nodes[i]];
         if (node.leaf()) continue;
-        if (const float area = area_of(node); area > most) largest = &all.nodes[i], most = area;
+        if (const float chance = chance_of(node); chance > most) largest = &all.nodes[i], most = chance;
       }
       if (largest == nullptr) break;
       const std::uint32_t children = binary_.nodes[*largest].left;
       *largest = children;
       all.nodes[all.count++] = children + 1;
     }
-    return all;
+  }
+  /// The cheapest.
+  void open(std::uint32_t index, std::size_t children, Opened& all) const {
+    const std::uint8_t of_left = shares_[index][children];
+    if (of_left == 0) {
+      all.nodes[all.count++] = index;
+      return;
+    }
+    open(binary_.nodes[index].left, of_left, all);
+    open(binary_.nodes[index].left + 1, children - of_left, all);
   }
 
   /// How many wide nodes the binary node at `index` and its descendants become.
@@ -97,7 +159,7 @@ class WideTree::Builder {
   }
 
   void add_cost(const BinaryNode& node, float tests) {
-    areas_ += static_cast<double>(area_of(node)) * static_cast<double>(tests);
+    cost_ += static_cast<double>(chance_of(node)) * static_cast<double>(tests);
   }
 
   TreeChild leaf(const BinaryNode& binary) {
@@ -118,11 +180,28 @@ class WideTree::Builder {
   WideTree& tree_;
   const BinaryTree& binary_;
   const BuildOptions& build_;
-  double areas_ = 0;  ///< of the expected cost
+  std::vector<Shares> shares_;  ///< by binary node
+  double cost_ = 0;             ///< expected, in units of MeetingChance times tests
 };
 
 WideTree::WideTree(std::vector<TreeItem> items, const BuildOptions& build, const CornersOf& corners) {
-  if (!items.empty()) Builder(*this, BinaryTree(std::move(items), build, corners), build);
+  if (items.empty()) return;
+  const BuildQuality quality = build.quality_for(items.size());
+  // Each split of space looks as if it paid; whether they do together shows only at the end.
+  WideTree unsplit;
+  std::optional<BuildRecord> of_unsplit;
+  if (quality == BuildQuality::best && corners) {
+    BuildOptions good = build;
+    good.quality = BuildQuality::good;
+    if (build.watcher != nullptr) good.watcher = &of_unsplit.emplace(*build.watcher);
+    unsplit = WideTree(items, good);
+  }
+  BinaryTree binary(std::move(items), build, corners);
+  if (quality != BuildQuality::fast && Builder::mends(binary)) reinsert_subtrees(binary, build.stop);
+  Builder(*this, binary, build);
+  if (unsplit.empty() || expected_cost_ < unsplit.expected_cost_) return;
+  *this = std::move(unsplit);
+  if (of_unsplit) *build.watcher = std::move(*of_unsplit);
 }
 
 void WideTree::list_nodes(std::vector<StructureNode>& nodes, std::size_t most) const {

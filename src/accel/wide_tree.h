@@ -65,8 +65,10 @@ struct alignas(64) TrianglePack {
 
 /// Bounding volume hierarchy.
 ///
-/// Built top-down as a binary tree (accel/binary_tree.h), which is then collapsed into a wide one (H. Dammertz, J.
-/// Hanika and A. Keller, "Shallow bounding volume hierarchies for fast SIMD ray tracing of incoherent rays", 2008).
+/// Built as a binary tree (accel/binary_tree.h; accel/reinsertion.h), which is then collapsed into a wide one (H.
+/// Dammertz, J. Hanika and A. Keller, "Shallow bounding volume hierarchies for fast SIMD ray tracing of incoherent
+/// rays", 2008): the cheapest that keeps its leaves (H. Ylitie, T. Karras and S. Laine, "Efficient Incoherent Ray
+/// Traversal on GPUs Through Compressed Wide BVHs", 2017).
 class WideTree {
  public:
   WideTree() = default;

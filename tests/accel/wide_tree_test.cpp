@@ -8,7 +8,9 @@
 #include <random>
 
 #include "accel/float_slabs.h"
+#include "meshes.h"
 #include "shape/numbers.h"
+#include "shape/triangle.h"
 #include "support/catch.h"
 
 using namespace raywalk;
@@ -66,8 +68,9 @@ std::vector<TreeItem> scattered(int count, int every_other, double size) {
   return items;
 }
 
-void check(const std::vector<TreeItem>& items) {
-  const WideTree tree(items);
+void check(const std::vector<TreeItem>& items, BuildQuality quality) {
+  CAPTURE(items.size(), name_of(quality));
+  const WideTree tree(items, {.quality = quality});
   std::vector<int> ids;
   int wrong = 0;
   Bounds<float> whole;
@@ -79,6 +82,9 @@ void check(const std::vector<TreeItem>& items) {
   for (std::size_t i = 0; i < ids.size(); ++i) CHECK(ids[i] == static_cast<int>(i));
   CHECK(tree.item_count() == items.size());
   CHECK(static_cast<std::size_t>(tree.depth()) <= WideTree::most_levels);
+}
+void check(const std::vector<TreeItem>& items) {
+  for (const BuildQuality quality : {BuildQuality::fast, BuildQuality::good}) check(items, quality);
 }
 
 // Triangles through each other, of all sizes and slants.
@@ -149,6 +155,51 @@ TEST_CASE("where space is split, each point of a triangle is where the triangle 
     }
   }
   CHECK(lost == 0);
+}
+
+TEST_CASE("a better quality costs no more", "[accel]") {
+  const auto costs = [](const Mesh& mesh) {
+    std::vector<std::array<Vec3d, 3>> triangles;
+    std::vector<TreeItem> items;
+    for (const Mesh::Corners& of : mesh.triangles) {
+      const auto at = [&](std::size_t corner) { return mesh.positions[static_cast<std::size_t>(of[corner])]; };
+      triangles.push_back({at(0), at(1), at(2)});
+      items.push_back({rounded_out(bounds(Triangle<double>{at(0), at(1), at(2)})), static_cast<int>(items.size()), 1});
+    }
+    std::vector<double> all;
+    for (const BuildQuality quality : {BuildQuality::fast, BuildQuality::good, BuildQuality::best})
+      all.push_back(WideTree(items, {.quality = quality}, [&](std::int32_t id) {
+                      return triangles[static_cast<std::size_t>(id)];
+                    }).expected_cost());
+    return all;
+  };
+  const auto better = [&](const char* name, const Mesh& mesh) {
+    const std::vector<double> all = costs(mesh);
+    CAPTURE(name, all);
+    CHECK(all[1] < all[0]);
+    CHECK(all[2] <= all[1]);
+  };
+  // In which plain splits along one axis do better than along three.
+  Mesh room = icosphere(4, Vec3d(0.0), 0.3);
+  const auto first = static_cast<std::int32_t>(room.positions.size());
+  for (int corner = 0; corner < 8; ++corner)
+    room.positions.emplace_back(2 * (corner & 1) - 1, 2 * (corner >> 1 & 1) - 1, 2 * (corner >> 2) - 1);
+  for (const auto& [a, b, c, d] :
+       {std::array{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}}) {
+    room.triangles.push_back({first + a, first + b, first + c});
+    room.triangles.push_back({first + a, first + c, first + d});
+  }
+  better("a ball in a room", room);
+  better("a ball", icosphere(5));
+  Mesh several;
+  Numbers next(7);
+  for (int i = 0; i < 60; ++i) {
+    const Mesh ball = icosphere(2, next.in_box<double>(3), next.real(0.1, 1));
+    const auto from = static_cast<std::int32_t>(several.positions.size());
+    several.positions.insert(several.positions.end(), ball.positions.begin(), ball.positions.end());
+    for (const auto& [a, b, c] : ball.triangles) several.triangles.push_back({from + a, from + b, from + c});
+  }
+  better("balls through each other", several);
 }
 
 TEST_CASE("how well a tree is built follows how many rays are expected", "[accel]") {

@@ -37,17 +37,17 @@ suspect() {
 verdict() {
   local log=$work/$1.log program=("$(suspect "$2")" "$root/tests/mutants/suspects.cpp") libraries=(-lgmpxx -lgmp)
   # Whatever concerns no crossing has to get past a test of its own.
-  [[ $2 == accel ]] && program+=("$4"/src/accel/{binary_tree,mesh_copies,packet_search,packet_search_eight,search_record,spatial_split,structures,wide_search,wide_search_eight,wide_tree,width}.cpp "$4/src/shape/mesh.cpp")
-  [[ $2 == splits ]] && program=("-I$root/tests" "$root/tests/accel/wide_tree_test.cpp" "$4"/src/accel/{binary_tree,search_record,spatial_split,wide_tree}.cpp) \
+  [[ $2 == accel ]] && program+=("$4"/src/accel/{binary_tree,mesh_copies,packet_search,packet_search_eight,reinsertion,search_record,spatial_split,structures,wide_search,wide_search_eight,wide_tree,width}.cpp "$4/src/shape/mesh.cpp")
+  [[ $2 == splits ]] && program=("-I$root/tests" "$root/tests/accel/wide_tree_test.cpp" "$4"/src/accel/{binary_tree,reinsertion,search_record,spatial_split,wide_tree}.cpp) \
     libraries=("${catch2[@]}")
   [[ $2 == copies ]] && program=("-I$root/tests" "$root/tests/accel/copies_test.cpp" \
-    "$4"/src/accel/{accelerator,accelerator_naive,binary_tree,mesh_copies,packet_search,packet_search_eight,search_record,spatial_split,structures,watched,wide_search,wide_search_eight,wide_tree,width}.cpp "$4/src/shape/mesh.cpp") \
+    "$4"/src/accel/{accelerator,accelerator_naive,binary_tree,mesh_copies,packet_search,packet_search_eight,reinsertion,search_record,spatial_split,structures,watched,wide_search,wide_search_eight,wide_tree,width}.cpp "$4/src/shape/mesh.cpp") \
     libraries=("${catch2[@]}")
   [[ $2 == packets ]] && program=("-I$root/tests" "$root/tests/accel/packet_test.cpp" \
-    "$4"/src/accel/{accelerator,binary_tree,library,mesh_copies,packet_search,packet_search_eight,search_record,spatial_split,structures,wide_search,wide_search_eight,wide_tree,width}.cpp "$4/src/shape/mesh.cpp") \
+    "$4"/src/accel/{accelerator,binary_tree,library,mesh_copies,packet_search,packet_search_eight,reinsertion,search_record,spatial_split,structures,wide_search,wide_search_eight,wide_tree,width}.cpp "$4/src/shape/mesh.cpp") \
     libraries=("${catch2[@]}")
   [[ $2 == beam_faces ]] && program=("-I$root/tests" "$root/tests/trace/beam_faces_test.cpp" "$4"/src/trace/{beam_faces,beam_window}.cpp \
-    "$4"/src/accel/{binary_tree,search_record,spatial_split,wide_tree}.cpp) libraries=("${catch2[@]}")
+    "$4"/src/accel/{binary_tree,reinsertion,search_record,spatial_split,wide_tree}.cpp) libraries=("${catch2[@]}")
   [[ $2 == cone_bodies ]] && program=("-I$root/tests" "$root/tests/trace/cone_bodies_test.cpp" "$4"/src/trace/{cone_bodies,ray_cone}.cpp) \
     libraries=("${catch2[@]}")
   [[ $2 == uv ]] && program=("-I$root/tests" "$root/tests/shape/uv_test.cpp") libraries=("${catch2[@]}")
