@@ -40,6 +40,7 @@ struct SearchLoop {
         while ((met &= met - 1) != 0) {
           const BoxEntry other = entries[std::countr_zero(met)];
           const BoxEntry waits = nearest_first ? std::max(next, other) : next;
+          if constexpr (!watched) search.tree_.fetch(node.children[waits.lane()]);
           next = nearest_first ? std::min(next, other) : other;
           std::size_t place = waiting++;
           if constexpr (nearest_first)
