@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "fixtures.h"
 #include "io/scene_file.h"
@@ -57,11 +58,12 @@ TEST_CASE("a cone is an area, and each part of it says its share once it is at w
   CHECK(told > 20);
 }
 
-TEST_CASE("what is said of the flat world stands off the cone at work") {
+TEST_CASE("what is said of the flat world stands off the cone at work, and stays where it is") {
   State state = cone_state();
   const std::string said(text("plan.flat_cones", state.appearance.language));
   const Timeline& timeline = *state.walk.timeline;
   int seen = 0;
+  std::optional<Vec2d> stays;
   for (int at = position_after<BeamCut>(timeline); at > 0; at = position_after<BeamCut>(timeline, at)) {
     update(state, action::Jump{at});
     const int cone = timeline.current_ray(at);
@@ -73,6 +75,8 @@ TEST_CASE("what is said of the flat world stands off the cone at work") {
     });
     REQUIRE(note != list.end());
     const TextItem& words = std::get<TextItem>(note->shape);
+    CHECK(words.at == stays.value_or(words.at));
+    stays = words.at;
     const Vec2d half(text_width(said, words.size) / 2, words.size / 2);
     const BeamArea& area =
         timeline.beams()[static_cast<std::size_t>(timeline.rays()[static_cast<std::size_t>(cone)].beam)].area;

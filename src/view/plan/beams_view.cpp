@@ -5,7 +5,9 @@
 #include "view/walk/walk.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace raywalk {
@@ -184,14 +186,27 @@ class BeamPainter {
   int part_;  ///< at work
 };
 
+/// The note on the flat world stands off the beams of all pixels, so that it stays where it is while they are walked.
+void draw_flat_note_off_beams(Painter& painter, const Timeline& timeline) {
+  std::vector<std::array<Vec2d, 2>> sides;
+  for (const RayRecord& ray : timeline.rays()) {
+    if (ray.beam < 0 || ray.parent >= 0) continue;
+    const BeamArea& area = timeline.beams()[static_cast<std::size_t>(ray.beam)].area;
+    for (const std::size_t side : {std::size_t{0}, area.starts.size() - 1})
+      sides.push_back({painter.pixels(plan(area.starts[side])), painter.pixels(plan(area.ends[side]))});
+  }
+  std::swap(painter.prominent, sides);
+  draw_flat_note(painter, timeline.of_beams() ? "plan.flat_beams" : "plan.flat_cones");
+  std::swap(painter.prominent, sides);
+}
+
 }  // namespace
 
 void draw_beams(Painter& painter, const RaysShown& shown) {
   const Timeline& timeline = *painter.state.walk.timeline;
   if (!timeline.has_width()) return;
   BeamPainter(painter, shown).draw();
-  if (painter.state.walk.mode == Mode::trace && timeline.is_flat())
-    draw_flat_note(painter, timeline.of_beams() ? "plan.flat_beams" : "plan.flat_cones");
+  if (painter.state.walk.mode == Mode::trace && timeline.is_flat()) draw_flat_note_off_beams(painter, timeline);
 }
 
 }  // namespace raywalk
