@@ -54,7 +54,7 @@ float effect_rows(const Ui& ui, const Rect& where, bool draw) {
   const EffectWords words = effect_words(ui);
   const ButtonLook look = effect_look(ui.fonts.small);
   const float height = ui.px(row_height - between_rows), gap = ui.px(8), left = where.x + ui.px(14);
-  float x = left, y = where.y + ui.px(between_rows);
+  float x = left, y = where.y + ui.px(between_rows) - (draw ? ImGui::GetScrollY() : 0);
   const auto place = [&](float width) {
     if (x > left && x + width > where.right() - ui.px(8)) {
       x = left;
@@ -106,7 +106,9 @@ float effect_rows(const Ui& ui, const Rect& where, bool draw) {
 float effects_height(const Ui& ui, float width) { return effect_rows(ui, {0, 0, width, 0}, false); }
 
 void effects_pane(const Ui& ui, const Rect& where) {
-  const Pane pane(ui, "effects", where, ui.colours.plan, {0, 0}, ImGuiWindowFlags_NoScrollbar);
+  // A low window has no room for the rows of many effects.
+  const bool fits = effects_height(ui, where.width) <= where.height + 1;
+  const Pane pane(ui, "effects", where, ui.colours.plan, {0, 0}, fits ? ImGuiWindowFlags_NoScrollbar : 0);
   if (pane) effect_rows(ui, where, true);
 }
 

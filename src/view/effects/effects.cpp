@@ -45,6 +45,7 @@ Effects used_effects(const State& state) {
 
 /// Plan and picture as the switches now say.
 void see_again(State& state) {
+  state.document.worlds = std::make_shared<WorldCache>();  // of one scene
   ++state.picture.revision;
   record_again(state);
 }
@@ -94,16 +95,13 @@ EffectSwitches EffectsRoom::switches() const {
 
 std::optional<Scene> without_effects(const State& state, const Scene& scene) {
   std::optional<Scene> changed;
-  if (state.walk.bug) return changed;
   for (const Effect effect : values_of<Effect>)
     if (state.effects.leaves_out(effect) && !is_of_tracer(effect))
       if (auto without = study::without(changed ? *changed : scene, effect)) changed = std::move(without);
   return changed;
 }
 
-int samples_seen(const State& state, int asked) {
-  return state.effects.leaves_out(Effect::antialiasing) && !state.walk.bug ? 1 : asked;
-}
+int samples_seen(const State& state, int asked) { return state.effects.leaves_out(Effect::antialiasing) ? 1 : asked; }
 
 bool can_switch(const State& state, Effect effect) {
   if (state.walk.bug || !used_effects(state).used(effect)) return false;
@@ -145,6 +143,7 @@ void EffectsRoom::follow(State& state, const Before&) {
 }
 
 void EffectsRoom::close(State& state) {
+  if (state.effects.left_out.any()) state.document.worlds = std::make_shared<WorldCache>();
   state.effects.left_out.reset();
   state.effects.depth.reset();
   state.effects.rays.reset();
