@@ -6,10 +6,11 @@
 #include "view/text/choice_text.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace raywalk {
 
@@ -19,7 +20,7 @@ constexpr float row_height = 34, between_rows = 4;
 
 /// What stands in the bar, from left to right.
 struct EffectWords {
-  std::array<std::string, switched_effects.size()> effects;
+  std::vector<std::pair<Effect, std::string>> effects;
   std::string depth, all;
 };
 
@@ -33,15 +34,16 @@ std::string as_title(std::string_view word) {
 EffectWords effect_words(const Ui& ui) {
   const EffectsRoom& room = ui.state.effects;
   const auto with_rays = [&](const std::string& name, int rays) {
-    return room.rays ? name + "  " + ui.say("effects.rays", {{"count", rays}}) : name;
+    return room.rays && room.rays->counted ? name + "  " + ui.say("effects.rays", {{"count", rays}}) : name;
   };
   EffectWords words;
-  for (std::size_t i = 0; i < switched_effects.size(); ++i)
-    words.effects[i] = with_rays(as_title(text(switched_effects[i], ui.state.appearance.language)),
-                                 room.rays ? room.rays->brought[i] : 0);
+  for (const Effect effect : values_of<Effect>)
+    if (room.rays && room.rays->offered[number_of(effect)])
+      words.effects.emplace_back(effect, with_rays(as_title(text(effect, ui.state.appearance.language)),
+                                                   room.rays->brought[number_of(effect)]));
   const int depth = room.depth.value_or(ui.state.scene().limits.depth);
   words.depth = with_rays(ui.say("effects.depth", {{"depth", depth}}), room.rays ? room.rays->by_depth : 0);
-  if (room.rays) words.all = ui.say("effects.all_rays", {{"count", room.rays->all}});
+  if (room.rays && room.rays->counted) words.all = ui.say("effects.all_rays", {{"count", room.rays->all}});
   return words;
 }
 
@@ -52,7 +54,7 @@ float effect_rows(const Ui& ui, const Rect& where, bool draw) {
   const EffectWords words = effect_words(ui);
   const ButtonLook look = effect_look(ui.fonts.small);
   const float height = ui.px(row_height - between_rows), gap = ui.px(8), left = where.x + ui.px(14);
-  float x = left, y = where.y + ui.px(between_rows);
+  float x = left, y = where.y + ui.px(between_rows) - (draw ? ImGui::GetScrollY() : 0);
   const auto place = [&](float width) {
     if (x > left && x + width > where.right() - ui.px(8)) {
       x = left;
@@ -62,21 +64,19 @@ float effect_rows(const Ui& ui, const Rect& where, bool draw) {
     x += width + gap;
   };
   const EffectsRoom& room = ui.state.effects;
-  for (std::size_t i = 0; i < switched_effects.size(); ++i) {
-    const Effect effect = switched_effects[i];
-    EffectSwitches switches = room.switches;
-    const bool on = switch_of(switches, effect);
-    const float width = button_width(ui, words.effects[i], look);
+  for (const auto& [effect, said] : words.effects) {
+    const bool on = !room.leaves_out(effect);
+    const float width = button_width(ui, said, look);
     place(width);
     const std::string name = "effect/" + std::string(name_of(effect));
-    if (draw && button(ui, name, words.effects[i], ui.say(on ? "effects.leave_out" : "effects.take_in"),
-                       {width, height}, look, on, !on || can_switch(ui.state, effect)))
+    if (draw && button(ui, name, said, ui.say(on ? "effects.leave_out" : "effects.take_in"), {width, height}, look, on,
+                       room.rays->can[number_of(effect)]))
       ui.act(action::SwitchEffect{effect, !on});
   }
   push_font(ui.fonts.small);
-  const float said = ImGui::CalcTextSize(words.depth.c_str()).x;
+  const float level = ImGui::CalcTextSize(words.depth.c_str()).x;
   const int depth = room.depth.value_or(ui.state.scene().limits.depth);
-  place(2 * height + said + 2 * gap);
+  place(2 * height + level + 2 * gap);
   if (draw) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     if (button(ui, "effect/depth-less", "", ui.say("effects.shallower"), {height, height},
@@ -84,7 +84,7 @@ float effect_rows(const Ui& ui, const Rect& where, bool draw) {
       ui.act(action::LimitDepth{depth - 1});
     ImGui::SetCursorScreenPos({at.x + height + gap, at.y + (height - ImGui::GetFontSize()) / 2});
     label(ui.colours.text, words.depth);
-    ImGui::SetCursorScreenPos({at.x + height + said + 2 * gap, at.y});
+    ImGui::SetCursorScreenPos({at.x + height + level + 2 * gap, at.y});
     if (button(ui, "effect/depth-more", "", ui.say("effects.deeper"), {height, height},
                {.look = Look::plain, .icon = Icon::plus, .font = nullptr, .label = false}))
       ui.act(action::LimitDepth{depth + 1});
@@ -106,7 +106,9 @@ float effect_rows(const Ui& ui, const Rect& where, bool draw) {
 float effects_height(const Ui& ui, float width) { return effect_rows(ui, {0, 0, width, 0}, false); }
 
 void effects_pane(const Ui& ui, const Rect& where) {
-  const Pane pane(ui, "effects", where, ui.colours.plan, {0, 0}, ImGuiWindowFlags_NoScrollbar);
+  // A low window has no room for the rows of many effects.
+  const bool fits = effects_height(ui, where.width) <= where.height + 1;
+  const Pane pane(ui, "effects", where, ui.colours.plan, {0, 0}, fits ? ImGuiWindowFlags_NoScrollbar : 0);
   if (pane) effect_rows(ui, where, true);
 }
 

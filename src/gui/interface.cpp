@@ -6,6 +6,7 @@
 #include "gui/widgets.h"
 #include "view/band/band.h"
 #include "view/lesson/lesson_panel.h"
+#include "view/walk/asked.h"
 
 #include <algorithm>
 
@@ -122,7 +123,9 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   wishes.code_width = code_width(with);
   wishes.bar_width = bar_width(with);
   const bool helps = state.walk.mode == Mode::help;
-  wishes.focus = state.focus.on && !helps && !embedded;
+  // A line that a lesson asks for is clicked in the code.
+  const bool needs_code = state.lessons.shown && !state.bugs.hunt && asks_for_line(state);
+  wishes.focus = state.focus.on && !helps && !embedded && !needs_code;
   const bool asks = state.bugs.shown || has_question(state);
   if ((state.lessons.shown || state.bugs.shown) && !helps)
     wishes.lesson = with.px(wishes.focus && !asks ? folded_width : 330);

@@ -32,7 +32,7 @@ void lay_out_walk(const LayoutWishes& wishes, float lesson, float top, float bot
   layout.strip.width -= corner;
   layout.corner = {layout.strip.right(), layout.strip.y, corner, layout.strip.height};
   layout.band = above(0.25f, wishes.band);
-  layout.effects = above(0.4f, wishes.effects);
+  layout.effects = above(0.5f, wishes.effects);
   layout.plan = {edge, top, width, end - top};
 }
 

@@ -48,9 +48,15 @@ bool writes_file(const Action& action) {
          action.is<action::SaveAs>() || action.is<action::SavePredictions>() || action.is<action::AnswerQuestion>();
 }
 
-/// The name of the scene file that the action reads; none if it reads none.
+/// The name of the scene file that the action reads, or the title of the lesson; none if it reads none.
 std::optional<std::string> file_read_by(const State& state, const Action& action) {
   std::string path;
+  if (const auto* lesson = action.as<action::OpenLesson>()) {
+    const auto& list = state.lessons.list;
+    const auto entry =
+        std::find_if(list.begin(), list.end(), [&](const LessonEntry& each) { return each.name == lesson->name; });
+    return entry == list.end() ? lesson->name : entry->title(state.appearance.language);
+  }
   if (const auto* open = action.as<action::Open>()) path = open->path;
   if (action.is<action::AnswerQuestion>() && state.document.question) path = state.document.question->path;
   if (path.empty()) return std::nullopt;

@@ -174,7 +174,7 @@ PreviewSettings preview_settings(const State& state) {
   PreviewSettings settings;
   settings.size = state.scene().image;
   settings.accelerator = state.picture.settings.accelerator;
-  settings.samples = state.picture.settings.samples;
+  settings.samples = samples_seen(state, state.picture.settings.samples);
   settings.precision = state.picture.settings.single_precision ? Precision::float_ : Precision::double_;
   settings.heat = state.picture.settings.heat;
   settings.fault = fault_at_work(state);

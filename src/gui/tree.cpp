@@ -142,10 +142,13 @@ std::vector<TreeLabel> labels_of(const Ui& ui, const TreePanel& tree, const std:
     std::size_t other = 0;
     while (other < places.size() && !beside(other)) ++other;
     const auto lines_of = [](const std::string& text) { return 1 + std::count(text.begin(), text.end(), '\n'); };
-    const float over = covered_by_label(in_one, round_halo), under = covered_by_label(in_two, round_halo);
+    // What does not stand there is worse than what stands over a link.
+    const bool is_cut = one != node.label;
+    const float over = covered_by_label(in_one, round_halo) + (is_cut ? 2 * line : 0),
+                under = covered_by_label(in_two, round_halo), in_column = covered_by_label(in_three, round_halo);
     const bool breaks = lines_of(two) == 2 && (other < places.size() ? under <= over : under < over);
-    const bool breaks_twice =
-        lines_of(three) == 3 && (breaks ? under : over) > 0 && covered_by_label(in_three, round_halo) == 0;
+    const float least = breaks ? under : over;
+    const bool breaks_twice = lines_of(three) == 3 && least > 0 && (in_column == 0 || (is_cut && in_column < least));
     TreeLabel label = breaks_twice ? TreeLabel{three, in_three}
                       : breaks     ? TreeLabel{two, in_two}
                                    : TreeLabel{one, in_one};

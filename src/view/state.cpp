@@ -46,7 +46,7 @@ void choose(const State& state, RenderChoices& choices) {
     return;
   }
   choices.integrator = state.picture.settings.integrator.value_or(choices.integrator);
-  choices.switches = state.effects.switches;
+  choices.switches = state.effects.switches();
 }
 
 namespace {
@@ -60,6 +60,7 @@ SceneSeen seen_from(const State& state, const Camera& camera) {
   TraceLimits limits = state.scene().limits;
   limits.depth = state.effects.depth.value_or(limits.depth);
   seen.set(limits);
+  if (std::optional<Scene> without = without_effects(state, *seen)) seen.set(std::move(*without));
   return seen;
 }
 

@@ -101,9 +101,9 @@ TEST_CASE("the switches for effects stand below the plan, at any width in as man
     }
   }
   bench.click("effect/shadows");
-  CHECK_FALSE(bench.state.effects.switches.shadows);
+  CHECK(bench.state.effects.leaves_out(Effect::shadows));
   bench.click("effect/shadows");
-  CHECK(bench.state.effects.switches.shadows);
+  CHECK_FALSE(bench.state.effects.leaves_out());
   const int depth = bench.state.scene().limits.depth;
   bench.click("effect/depth-less");
   CHECK(bench.state.effects.depth == depth - 1);

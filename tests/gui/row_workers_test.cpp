@@ -104,7 +104,7 @@ TEST_CASE("workers leave out what is switched off, as threads do") {
     CHECK(std::find(seen.begin(), seen.end() - 1, seen.back()) == seen.end() - 1);
   };
   look();
-  for (const Effect effect : switched_effects) {
+  for (const Effect effect : {Effect::shadows, Effect::reflection, Effect::refraction, Effect::textures}) {
     INFO(static_cast<int>(effect));
     update(state, action::SwitchEffect{effect, false});
     look();

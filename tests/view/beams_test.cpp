@@ -94,6 +94,40 @@ TEST_CASE("the part at work says how much of the pixel it is, and nothing says s
   CHECK(told > 10);
 }
 
+TEST_CASE("the number of a part stands beside it or is led to it, also where the part leaves the plan") {
+  State state = beam_state();
+  const Timeline& timeline = *state.walk.timeline;
+  int endless = 0;
+  for (int at = position_after<PartBegun>(timeline); at > 0; at = position_after<PartBegun>(timeline, at)) {
+    update(state, action::Jump{at});
+    const int part = timeline.current_ray(at);
+    const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(part)];
+    if (ray.object >= 0) continue;
+    CAPTURE(at);
+    const std::string coverage =
+        number_text(std::get<PartBegun>(timeline.event(at - 1).detail).coverage, state.appearance.language);
+    const DisplayList list = plan_view(state);
+    const auto note = std::find_if(list.begin(), list.end(), [&](const DisplayItem& item) {
+      const auto* said = std::get_if<TextItem>(&item.shape);
+      return said != nullptr && said->text == coverage;
+    });
+    REQUIRE(note != list.end());
+    REQUIRE(note != list.begin());
+    const Vec2d said = std::get<TextItem>(note->shape).at;
+    const auto& area = timeline.beams()[static_cast<std::size_t>(ray.beam)].area;
+    const auto pixels = [&](const Vec3d& point) { return to_pixels(state, plan(point)); };
+    const auto middle = [&](const std::vector<Vec3d>& points) {
+      return (pixels(points.front()) + pixels(points.back())) / 2.0;
+    };
+    const Vec2d from = middle(area.starts), along = middle(area.ends) - from;
+    const auto off = [&](const Vec2d& at_work) { return std::abs(cross(at_work - from, along)) / length(along); };
+    const auto* leader = std::get_if<LineItem>(&std::prev(note)->shape);
+    CHECK((off(said) < 60 || (leader != nullptr && off(leader->to) < 1e-3)));
+    ++endless;
+  }
+  CHECK(endless > 2);
+}
+
 TEST_CASE("the legend and the plan speak of beams where they are walked") {
   State state = beam_state();
   CHECK(legend(state).rays.front().kind == RayKind::beam);

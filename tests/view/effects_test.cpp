@@ -1,8 +1,12 @@
 // Switches for effects: at once in the plan and in the picture, and what they say of rays.
 #include <algorithm>
 
+#include "fixtures.h"
+#include "io/scene_file.h"
 #include "lesson_state.h"
 #include "support/catch.h"
+#include "support/languages.h"
+#include "view/text/text.h"
 #include "view/walk/walk.h"
 
 using namespace raywalk;
@@ -21,9 +25,10 @@ TEST_CASE("a switch leaves an effect out of the walk and of the picture, and the
   State state = classic_state();
   update(state, action::ShowEffects{true});
   const Scene scene = state.scene();
-  for (std::size_t i = 0; i < switched_effects.size(); ++i) {
-    const Effect effect = switched_effects[i];
+  for (const Effect effect : {Effect::shadows, Effect::reflection, Effect::refraction}) {
     INFO(name_of(effect));
+    const std::size_t i = number_of(effect);
+    REQUIRE(state.effects.rays->offered[i]);
     const int all = formed(state), brings = state.effects.rays->brought[i];
     const auto revision = state.picture.revision;
     CHECK(state.effects.rays->all == all);
@@ -32,8 +37,10 @@ TEST_CASE("a switch leaves an effect out of the walk and of the picture, and the
     CHECK(formed(state) == all - brings);
     CHECK(state.effects.rays->brought[i] == brings);
     CHECK(state.picture.revision > revision);
-    EffectSwitches seen = pictured_scene(state)->render.switches;
-    CHECK_FALSE(switch_of(seen, effect));
+    const EffectSwitches seen = pictured_scene(state)->render.switches;
+    CHECK_FALSE((effect == Effect::shadows      ? seen.shadows
+                 : effect == Effect::reflection ? seen.reflection
+                                                : seen.refraction));
     CHECK(state.scene() == scene);
     CHECK_FALSE(state.document.dirty);
     update(state, action::SwitchEffect{effect, true});
@@ -85,4 +92,63 @@ TEST_CASE("rays are counted when a drag ends, not during it") {
   CHECK(state.effects.rays == before);
   update(state, action::PointerReleased{from + Vec2d(20, 10), {}});
   CHECK(state.effects.rays->of == state.walk.timeline);
+}
+
+TEST_CASE("every effect that a scene uses is offered, and left out of the walked and the pictured scene alike") {
+  EffectSet tried;
+  for (const std::string name :
+       {"distributed", "everything", "gloss", "milk", "maps", "metals", "filters", "radiosity"}) {
+    const auto read = read_scene(RAYWALK_SOURCE_DIR "/scenes/" + name + ".toml");
+    REQUIRE(read);
+    State state = state_of(read->scene);
+    update(state, action::SetMode{Mode::trace});
+    ImageSettings settings = state.picture.settings;
+    settings.samples = 4;
+    update(state, action::SetImageSettings{settings});
+    update(state, action::ShowEffects{true});
+    const Effects used = effects_of(*walked_scene(state), samples_seen(state, settings.samples));
+    const Scene scene = state.scene();
+    for (const Effect effect : values_of<Effect>) {
+      CAPTURE(name, name_of(effect));
+      CHECK(state.effects.rays->offered[number_of(effect)] == used.used(effect));
+      const bool can = state.effects.rays->can[number_of(effect)];
+      const auto revision = state.picture.revision;
+      update(state, action::SwitchEffect{effect, false});
+      CHECK(state.effects.leaves_out(effect) == can);
+      CHECK((state.picture.revision > revision) == can);
+      if (!can) continue;
+      tried.set(number_of(effect));
+      // The tracer's own switches leave effects out that the scene still has.
+      if (effect != Effect::shadows && effect != Effect::reflection)
+        for (const SceneSeen& seen : {walked_scene(state), pictured_scene(state)})
+          CHECK_FALSE(effects_of(*seen, samples_seen(state, settings.samples)).used(effect));
+      CHECK(state.effects.rays->offered[number_of(effect)]);
+      CHECK(state.scene() == scene);
+      update(state, action::SwitchEffect{effect, true});
+      CHECK_FALSE(state.effects.leaves_out());
+    }
+  }
+  CHECK(tried.count() > 11);
+}
+
+TEST_CASE("a beam is as wide as its pixel: that cannot be left out, nor what the scene does not use") {
+  const auto read = read_scene(RAYWALK_SOURCE_DIR "/scenes/beams.toml");
+  REQUIRE(read);
+  State state = state_of(read->scene);
+  update(state, action::SetMode{Mode::trace});
+  for (const Effect effect : {Effect::antialiasing, Effect::sky}) {
+    CHECK_FALSE(can_switch(state, effect));
+    update(state, action::SwitchEffect{effect, false});
+    CHECK_FALSE(state.effects.leaves_out());
+  }
+  CHECK(state.effects.rays->offered[number_of(Effect::antialiasing)]);
+  CHECK_FALSE(state.effects.rays->offered[number_of(Effect::sky)]);
+}
+
+TEST_CASE("an effect that brings no ray says so in every language, also where nothing is counted like one thing") {
+  for (const Language language : all_languages())
+    for (const std::string_view id : {"effects.rays", "effects.all_rays"}) {
+      CAPTURE(language.code(), id);
+      CHECK_THAT(fill(id, language, {{"count", 0}}), contains("0"));
+    }
 }

@@ -17,6 +17,7 @@ class SceneSeen {
   void set(const Camera& camera) { put(&Scene::camera, camera); }
   void set(const RenderChoices& choices) { put(&Scene::render, choices); }
   void set(const TraceLimits& limits) { put(&Scene::limits, limits); }
+  void set(Scene scene) { changed_ = std::move(scene); }
 
   [[nodiscard]] const Scene& operator*() const { return changed_ ? *changed_ : *own_; }
   [[nodiscard]] const Scene* operator->() const { return &**this; }

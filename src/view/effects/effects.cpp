@@ -1,17 +1,51 @@
+#include "study/effect_costs.h"
 #include "view/action.h"
 #include "view/walk/walk.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace raywalk {
 
 namespace {
 
-constexpr int deepest = 50;              // as in the settings of the picture
-constexpr double most_entries = 20'000;  // of a scene whose rays are counted: it needs a world for each effect
+constexpr int deepest = 50;                 // as in the settings of the picture
+constexpr double most_entries = 20'000;     // of a scene whose rays are counted: it needs a world for each effect
+constexpr std::size_t most_rays = 100'000;  // of all walks that are recorded to count them
+
+/// Effects that the tracer can leave out alone.
+constexpr struct {
+  Effect effect;
+  bool EffectSwitches::* on;
+} of_tracer[]{{Effect::shadows, &EffectSwitches::shadows},
+              {Effect::reflection, &EffectSwitches::reflection},
+              {Effect::refraction, &EffectSwitches::refraction}};
+
+bool is_of_tracer(Effect effect) {
+  return std::any_of(std::begin(of_tracer), std::end(of_tracer), [&](const auto& of) { return of.effect == effect; });
+}
+
+int most_samples(const State& state) {
+  return std::max(state.picture.settings.walk_samples, state.picture.settings.samples);
+}
+
+/// The state with the effect switched.
+State with_effect(const State& state, Effect effect, bool on) {
+  State other = state;
+  other.effects.left_out.set(number_of(effect), !on);
+  return other;
+}
+
+/// What the scene calls for as it is walked, with nothing left out.
+Effects used_effects(const State& state) {
+  State all = state;
+  all.effects.left_out.reset();
+  return effects_of(*walked_scene(all), most_samples(state));
+}
 
 /// Plan and picture as the switches now say.
 void see_again(State& state) {
+  state.document.worlds = std::make_shared<WorldCache>();  // of one scene
   ++state.picture.revision;
   record_again(state);
 }
@@ -21,36 +55,61 @@ int formed(const Timeline& timeline) {
       std::count_if(timeline.rays().begin(), timeline.rays().end(), [](const RayRecord& ray) { return ray.formed; }));
 }
 
-EffectRays counted(const State& state) {
-  EffectRays rays{state.walk.timeline, formed(*state.walk.timeline), {}, 0};
+void count(const State& state, EffectRays& rays) {
   const auto difference = [&](const State& other) { return std::abs(rays.all - formed(record_alone(other))); };
-  for (std::size_t i = 0; i < switched_effects.size(); ++i) {
-    State other = state;
-    bool& on = switch_of(other.effects.switches, switched_effects[i]);
-    on = !on;
-    rays.brought[i] = difference(other);
-  }
+  for (const Effect effect : values_of<Effect>)
+    if (rays.can[number_of(effect)])
+      rays.brought[number_of(effect)] = difference(with_effect(state, effect, state.effects.leaves_out(effect)));
   State shallower = state;
   const int depth = state.effects.depth.value_or(state.scene().limits.depth);
   if (depth > 1) {
     shallower.effects.depth = depth - 1;
     rays.by_depth = difference(shallower);
   }
+}
+
+EffectRays looked_at(const State& state) {
+  EffectRays rays;
+  rays.of = state.walk.timeline;
+  rays.samples = most_samples(state);
+  const Effects used = used_effects(state);
+  for (const Effect effect : values_of<Effect>) {
+    const bool is_out = state.effects.leaves_out(effect);
+    rays.offered.set(number_of(effect), is_out || used.used(effect));
+    rays.can.set(number_of(effect), is_out || (rays.offered[number_of(effect)] && can_switch(state, effect)));
+  }
+  rays.all = formed(*state.walk.timeline);
+  rays.counted = entries_of(state.scene().objects) <= most_entries &&
+                 static_cast<std::size_t>(rays.all) * (rays.can.count() + 1) <= most_rays;
+  if (rays.counted) count(state, rays);
   return rays;
 }
 
 }  // namespace
 
-bool can_switch(const State& state, Effect effect) {
-  if (state.walk.bug) return false;
-  const RenderChoices now = walked_scene(state)->render;
-  return effect != Effect::shadows || (now.numerics == Numerics::robust && !traits_of(now.integrator).is_global);
+EffectSwitches EffectsRoom::switches() const {
+  EffectSwitches switches;
+  for (const auto& [effect, on] : of_tracer) switches.*on = !leaves_out(effect);
+  return switches;
 }
 
-bool& switch_of(EffectSwitches& switches, Effect effect) {
-  return effect == Effect::shadows      ? switches.shadows
-         : effect == Effect::reflection ? switches.reflection
-                                        : switches.refraction;
+std::optional<Scene> without_effects(const State& state, const Scene& scene) {
+  std::optional<Scene> changed;
+  for (const Effect effect : values_of<Effect>)
+    if (state.effects.leaves_out(effect) && !is_of_tracer(effect))
+      if (auto without = study::without(changed ? *changed : scene, effect)) changed = std::move(without);
+  return changed;
+}
+
+int samples_seen(const State& state, int asked) { return state.effects.leaves_out(Effect::antialiasing) ? 1 : asked; }
+
+bool can_switch(const State& state, Effect effect) {
+  if (state.walk.bug || !used_effects(state).used(effect)) return false;
+  const State without = with_effect(state, effect, false);
+  const SceneSeen scene = walked_scene(without);
+  const RenderChoices& now = scene->render;
+  if (effect == Effect::shadows) return now.numerics == Numerics::robust && !traits_of(now.integrator).is_global;
+  return is_of_tracer(effect) || !effects_of(*scene, samples_seen(without, most_samples(without))).used(effect);
 }
 
 void action::ShowEffects::apply(State& state) const {
@@ -61,11 +120,9 @@ void action::ShowEffects::apply(State& state) const {
 }
 
 void action::SwitchEffect::apply(State& state) const {
-  if (std::find(switched_effects.begin(), switched_effects.end(), effect) == switched_effects.end()) return;
-  bool& now = switch_of(state.effects.switches, effect);
   state.effects.shown = true;
-  if (now == on || (!on && !can_switch(state, effect))) return;
-  now = on;
+  if (on != state.effects.leaves_out(effect) || (!on && !can_switch(state, effect))) return;
+  state.effects.left_out.set(number_of(effect), !on);
   see_again(state);
 }
 
@@ -80,13 +137,14 @@ void action::LimitDepth::apply(State& state) const {
 void EffectsRoom::follow(State& state, const Before&) {
   EffectsRoom& effects = state.effects;
   // A drag comes first: the numbers follow at its end.
-  if (!effects.shown || state.plan.drag || (effects.rays && effects.rays->of == state.walk.timeline)) return;
-  effects.rays =
-      entries_of(state.scene().objects) > most_entries ? nullptr : std::make_shared<const EffectRays>(counted(state));
+  if (!effects.shown || state.plan.drag) return;
+  if (effects.rays && effects.rays->of == state.walk.timeline && effects.rays->samples == most_samples(state)) return;
+  effects.rays = std::make_shared<const EffectRays>(looked_at(state));
 }
 
 void EffectsRoom::close(State& state) {
-  state.effects.switches = {};
+  if (state.effects.left_out.any()) state.document.worlds = std::make_shared<WorldCache>();
+  state.effects.left_out.reset();
   state.effects.depth.reset();
   state.effects.rays.reset();
 }

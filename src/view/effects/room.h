@@ -8,20 +8,27 @@
 #include "view/room.h"
 
 #include <array>
+#include <bitset>
 #include <memory>
 #include <optional>
 
 namespace raywalk {
 
-/// Those that can be switched.
-inline constexpr std::array switched_effects{Effect::shadows, Effect::reflection, Effect::refraction};
+/// By the numbers of the effects.
+using EffectSet = std::bitset<effect_count>;
+[[nodiscard]] constexpr std::size_t number_of(Effect effect) { return static_cast<std::size_t>(effect); }
 
-/// Rays formed in the walk, and how many of them each effect brings.
+/// What the switches say.
 struct EffectRays {
   std::shared_ptr<const Timeline> of;  ///< the walk
+  int samples = 1;                     ///< of walk and picture, with all effects
+  EffectSet offered;                   ///< that the scene uses, or that are left out of it
+  EffectSet can;                       ///< of those: that can be left out, or taken in again
+  // Rays formed in the walk; 0 where they are too many to be counted again for each effect.
+  bool counted = false;
   int all = 0;
-  std::array<int, switched_effects.size()> brought{};  ///< by each; of one that is left out: what it would bring
-  int by_depth = 0;                                    ///< by the deepest SHADE
+  std::array<int, effect_count> brought{};  ///< by each that can be switched; left out: what it would bring
+  int by_depth = 0;                         ///< by the deepest SHADE
 };
 
 }  // namespace raywalk
@@ -37,7 +44,7 @@ struct ShowEffects {
 };
 struct SwitchEffect {
   static constexpr std::string_view word = "effect";
-  Effect effect;  ///< one of switched_effects
+  Effect effect;
   bool on;
   static void fields(auto& f, auto& a) { f(a.effect), f(a.on, on_or_off); }
   void apply(State& state) const;
@@ -62,17 +69,24 @@ struct EffectsRoom {
   static void close(State& state);
 
   bool shown = false;
-  EffectSwitches switches;
+  EffectSet left_out;
   std::optional<int> depth;                ///< absent: the scene's
-  std::shared_ptr<const EffectRays> rays;  ///< null before they are counted, and for very large scenes
+  std::shared_ptr<const EffectRays> rays;  ///< null before the bar is shown
 
-  [[nodiscard]] bool leaves_out() const { return switches != EffectSwitches{} || depth; }
+  [[nodiscard]] bool leaves_out() const { return left_out.any() || depth; }
+  [[nodiscard]] bool leaves_out(Effect effect) const { return left_out[number_of(effect)]; }
+  /// Effects that the tracer leaves out; the scene is seen without the others.
+  [[nodiscard]] EffectSwitches switches() const;
 };
 
-/// Whether an effect can be left out of the walk as it is: a faulty tracer has all of them, and only Whitted's
-/// algorithm, with robust numerics, does without shadow rays.
+/// The scene without the effects that are left out, but for those that the tracer leaves out; empty where there are
+/// none.
+[[nodiscard]] std::optional<Scene> without_effects(const State& state, const Scene& scene);
+/// Samples of a pixel, of `asked`: one without antialiasing.
+[[nodiscard]] int samples_seen(const State& state, int asked);
+
+/// Whether an effect of the scene can be left out of the walk as it is: a faulty tracer has all of them, only Whitted's
+/// algorithm, with robust numerics, does without shadow rays, and a beam is as wide as its pixel.
 [[nodiscard]] bool can_switch(const State& state, Effect effect);
-/// The switch of one of switched_effects.
-[[nodiscard]] bool& switch_of(EffectSwitches& switches, Effect effect);
 
 }  // namespace raywalk

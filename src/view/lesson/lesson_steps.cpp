@@ -1,5 +1,6 @@
 // Implements the lesson actions.
 
+#include "render/parallel.h"
 #include "text/file.h"
 #include "view/action.h"
 #include "view/document/document.h"
@@ -130,15 +131,17 @@ void stage(State& state) {
 
 /// Opens it, once unsaved work is settled; at the first unfinished step if no other is wanted.
 void begin_lesson_at(State& state, const std::string& name, std::optional<int> wanted) {
-  forget_autosave(state);
   LessonRoom& sitting = state.lessons;
   auto lesson = read_lesson(sitting.folder + "/" + name);
   if (!lesson) return complain(state, lesson.error().text());
   const Mode mode = state.walk.mode;
   const auto opened = std::make_shared<OpenedLesson>(std::move(*lesson));
-  opened->played = play_lesson(opened->lesson, sitting.scenes_folder);
+  // Some play for seconds. Cancelled, the lesson is not opened, and what it then plays is dropped.
+  run_detached(state.document.stop,
+               [opened, folder = sitting.scenes_folder] { opened->played = play_lesson(opened->lesson, folder); });
   if (opened->played.steps.empty())
     return complain(state, opened->played.errors.empty() ? name : opened->played.errors.front().text());
+  forget_autosave(state);
   if (!sitting.open && !saved_scene(state).objects.empty()) {
     // Unsaved work was asked about, and discarded.
     sitting.own = std::make_shared<const OwnScene>(OwnScene{saved_document(state), state.document.path, mode});

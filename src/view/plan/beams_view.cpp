@@ -5,7 +5,9 @@
 #include "view/walk/walk.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace raywalk {
@@ -78,7 +80,12 @@ class BeamPainter {
     Stroke stroke = painter_.stroke(style_.colour, lit || at_work ? 2.2 : 1.1);
     stroke.colour.a = static_cast<std::uint8_t>(lit || at_work ? 255 : of_pixel ? 150 : 50);
     for (const std::size_t side : {std::size_t{0}, area.starts.size() - 1})
-      painter_.add_clipped({painter_.pixels(plan(area.starts[side])), painter_.pixels(plan(area.ends[side])), stroke});
+      draw_line(painter_.pixels(plan(area.starts[side])), painter_.pixels(plan(area.ends[side])), stroke, at_work);
+  }
+  /// `kept_off`: by notes, where there is other room.
+  void draw_line(const Vec2d& from, const Vec2d& to, const Stroke& stroke, bool kept_off) {
+    painter_.add_clipped({from, to, stroke});
+    if (kept_off) painter_.prominent.push_back({from, to});
   }
   void add(std::vector<Vec2d>& corners, const Vec3d& point) const {
     const Vec2d at = painter_.pixels(plan(point));
@@ -113,7 +120,7 @@ class BeamPainter {
     }
     Stroke edge = painter_.stroke(style_.colour, 1.3);
     const auto line = [&](const Vec2d& from, const Vec2d& to, const Stroke& stroke) {
-      painter_.add_clipped({painter_.pixels(from), painter_.pixels(from + reach * (to - from)), stroke});
+      draw_line(painter_.pixels(from), painter_.pixels(from + reach * (to - from)), stroke, true);
     };
     for (const std::size_t side : {std::size_t{0}, area.starts.size() - 1})
       line(plan(area.starts[side]), plan(area.ends[side]), edge);
@@ -156,10 +163,12 @@ class BeamPainter {
     const auto middle = [](const std::vector<Vec3d>& points) { return (points.front() + points.back()) / 2.0; };
     const Vec2d from = painter_.pixels(plan(middle(area.starts))), to = painter_.pixels(plan(middle(area.ends)));
     const Vec2d along = to - from, across = length(along) > 0 ? Vec2d(-along.y, along.x) / length(along) : Vec2d(0, -1);
-    // Where nothing else is.
-    Vec2d at = painter_.seen_middle(from, to);
+    // Where nothing else is, of what is seen of it.
+    const Vec2d first = painter_.seen_end(to, from), last = painter_.seen_end(from, to);
+    const auto at_part = [&](double part) { return first + part * (last - first); };
+    Vec2d at = at_part(0.5);
     for (const double part : {0.5, 0.65, 0.8, 0.35}) {
-      const Vec2d other = painter_.seen_middle(from + (2 * part - 1) * along, to);
+      const Vec2d other = at_part(part);
       const auto holds = [&](const PixelRect& taken) { return taken.meets(other - 0.5, other + 0.5); };
       if (std::any_of(painter_.kept_free.begin(), painter_.kept_free.end(), holds)) continue;
       at = other;
@@ -177,14 +186,27 @@ class BeamPainter {
   int part_;  ///< at work
 };
 
+/// The note on the flat world stands off the beams of all pixels, so that it stays where it is while they are walked.
+void draw_flat_note_off_beams(Painter& painter, const Timeline& timeline) {
+  std::vector<std::array<Vec2d, 2>> sides;
+  for (const RayRecord& ray : timeline.rays()) {
+    if (ray.beam < 0 || ray.parent >= 0) continue;
+    const BeamArea& area = timeline.beams()[static_cast<std::size_t>(ray.beam)].area;
+    for (const std::size_t side : {std::size_t{0}, area.starts.size() - 1})
+      sides.push_back({painter.pixels(plan(area.starts[side])), painter.pixels(plan(area.ends[side]))});
+  }
+  std::swap(painter.prominent, sides);
+  draw_flat_note(painter, timeline.of_beams() ? "plan.flat_beams" : "plan.flat_cones");
+  std::swap(painter.prominent, sides);
+}
+
 }  // namespace
 
 void draw_beams(Painter& painter, const RaysShown& shown) {
   const Timeline& timeline = *painter.state.walk.timeline;
   if (!timeline.has_width()) return;
   BeamPainter(painter, shown).draw();
-  if (painter.state.walk.mode == Mode::trace && timeline.is_flat())
-    draw_flat_note(painter, timeline.of_beams() ? "plan.flat_beams" : "plan.flat_cones");
+  if (painter.state.walk.mode == Mode::trace && timeline.is_flat()) draw_flat_note_off_beams(painter, timeline);
 }
 
 }  // namespace raywalk

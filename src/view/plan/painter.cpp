@@ -80,8 +80,13 @@ Stroke Painter::outline(const Target& target, Colour colour, double width) const
   return stroke(colour, width);
 }
 
-std::optional<std::array<double, 2>> Painter::seen_stretch(const Vec2d& from, const Vec2d& to) const {
-  const double margin = 20 * sizes.unit;
+namespace {
+
+constexpr double around_viewport = 20;  // of a line's own width, and more, in units
+
+}  // namespace
+
+std::optional<std::array<double, 2>> Painter::seen_stretch(const Vec2d& from, const Vec2d& to, double margin) const {
   const Vec2d low(-margin), high = Vec2d(viewport.width, viewport.height) + margin;
   const Vec2d along = to - from;
   // Y.-D. Liang and B. Barsky, "A new concept and method for line clipping", ACM TOG 3(1), 1984.
@@ -100,7 +105,7 @@ std::optional<std::array<double, 2>> Painter::seen_stretch(const Vec2d& from, co
 }
 
 void Painter::add_clipped(LineItem line, const Target& target) {
-  const auto seen = seen_stretch(line.from, line.to);
+  const auto seen = seen_stretch(line.from, line.to, around_viewport * sizes.unit);
   if (!seen) return;
   const auto [begin, end] = *seen;
   const Vec2d along = line.to - line.from;
@@ -112,7 +117,7 @@ void Painter::add_clipped(LineItem line, const Target& target) {
 }
 
 Vec2d Painter::seen_end(const Vec2d& from, const Vec2d& to) const {
-  const auto seen = seen_stretch(from, to);
+  const auto seen = seen_stretch(from, to, around_viewport * sizes.unit);
   return seen ? from + (*seen)[1] * (to - from) : to;
 }
 
@@ -250,6 +255,7 @@ void Painter::note(const Vec2d& at, const std::string& text) {
 }
 
 Vec2d Painter::seen_middle(Vec2d from, Vec2d to) const {
+  if (const auto seen = seen_stretch(from, to, 0)) return from + ((*seen)[0] + (*seen)[1]) / 2 * (to - from);
   const auto inside = [&](const Vec2d& p) {
     return Vec2d(std::clamp(p.x, 0.0, viewport.width), std::clamp(p.y, 0.0, viewport.height));
   };

@@ -39,7 +39,7 @@ class Painter {
   DisplayList list;
   std::vector<PixelRect> kept_free;             ///< not used by labels
   std::vector<PixelRect> unnamed;               ///< not used by names, but their leaders may cross it
-  std::vector<std::array<Vec2d, 2>> prominent;  ///< rays of the current pixel, and normals
+  std::vector<std::array<Vec2d, 2>> prominent;  ///< rays of the current pixel, normals, sides of beams at work
   std::vector<std::array<Vec2d, 2>> leaders;    ///< from notes to what they are of
   std::vector<Vec2d> frame;                     ///< closed, if the plan has one: drawings stay inside of it
 
@@ -86,7 +86,8 @@ class Painter {
   bool note(const std::vector<Vec2d>& places, const std::string& text, const std::function<double(const Vec2d&)>& more,
             bool off_bodies = false);
   /// The visible part of a segment, with a margin: from and to, 0..1.
-  [[nodiscard]] std::optional<std::array<double, 2>> seen_stretch(const Vec2d& from, const Vec2d& to) const;
+  [[nodiscard]] std::optional<std::array<double, 2>> seen_stretch(const Vec2d& from, const Vec2d& to,
+                                                                  double margin) const;
 };
 
 // objects_view.cpp

@@ -211,9 +211,12 @@ void draw_rays(Painter& painter, const RaysShown& shown) {
 }
 
 void draw_flat_note(Painter& painter, std::string_view id) {
-  const double margin = 16 * painter.sizes.unit;
-  painter.note({{painter.viewport.width / 2, painter.viewport.height - margin}, {painter.viewport.width / 2, margin}},
-               std::string(text(id, painter.state.appearance.language)));
+  const std::string words(text(id, painter.state.appearance.language));
+  const double margin = 16 * painter.sizes.unit, beside = width_of(words, painter.sizes.text) / 2 + margin;
+  std::vector<Vec2d> places;
+  for (const double x : {painter.viewport.width / 2, beside, painter.viewport.width - beside})
+    for (const double y : {painter.viewport.height - margin, margin}) places.emplace_back(x, y);
+  painter.note(places, words);
 }
 
 }  // namespace raywalk

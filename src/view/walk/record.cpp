@@ -74,7 +74,8 @@ Recorded record_to_depth(const State& state) {
 Recorded record_within(const State& state) {
   Recorded recorded = record_to_depth(state);
   const double room = max_events / std::max(1, recorded.timeline.steps());
-  recorded.samples = static_cast<int>(std::clamp(room, 1.0, static_cast<double>(state.picture.settings.walk_samples)));
+  const int asked = samples_seen(state, state.picture.settings.walk_samples);
+  recorded.samples = static_cast<int>(std::clamp(room, 1.0, static_cast<double>(asked)));
   if (recorded.samples == 1) return recorded;
   SceneSeen limited = walked_scene(state);
   limit_depth(limited, recorded.depth);
@@ -121,7 +122,7 @@ void record_again(State& state) {
   Recorded recorded = record_within(state);
   if (recorded.depth < walked_scene(state)->limits.depth)
     inform(state, fill("notice.too_many_steps", state.appearance.language, {{"depth", recorded.depth}}));
-  if (recorded.samples < state.picture.settings.walk_samples && !recorded.timeline.of_beams())
+  if (recorded.samples < samples_seen(state, state.picture.settings.walk_samples) && !recorded.timeline.of_beams())
     inform(state, fill("notice.too_many_samples", state.appearance.language, {{"samples", recorded.samples}}));
   RenderChoices wished = state.scene().render;
   choose(state, wished);
