@@ -112,9 +112,9 @@ TEST_CASE("the share of even squares is exact where it can be said") {
   CHECK(share({0.5, 0.5}, {12, 12}, {0.0001, -0.0001}) > 0.999);
   CHECK(share({0.5, 0.5}, {12, 12}, {0, 0}) == Approx(1).epsilon(0).margin(1e-12));
   CHECK(share({0.5, 0.5}, {2, 0}, {0, 0}) == Approx(0.5).epsilon(0).margin(1e-12));
-  // From (0, 1/4) to (2, 5/4), or with u for v: even for a half, odd for a quarter, even again.
-  CHECK(share({1, 0.75}, {2, 1}, {0, 0}) == Approx(0.75).epsilon(0).margin(1e-12));
-  CHECK(share({0.75, 1}, {1, 2}, {0, 0}) == Approx(0.75).epsilon(0).margin(1e-12));
+  // From (0.3, 0.1) to (2.3, 1.1), or with u for v: even up to u = 1, and between u = 2 and v = 1.
+  CHECK(share({1.3, 0.6}, {2, 1}, {0, 0}) == Approx(0.4).epsilon(0).margin(1e-12));
+  CHECK(share({0.6, 1.3}, {1, 2}, {0, 0}) == Approx(0.4).epsilon(0).margin(1e-12));
   // Beyond counting, and where nothing can be said.
   CHECK(share({0.5, 0.5}, {1e7, 3}, {2, 1e8}) == 0.5);
   CHECK(share({0.5, 0.5}, {std::nan(""), 0}, {0, 1}) == 0.5);
