@@ -3,6 +3,8 @@
 
 #include "scene/schema_kinds.h"
 
+#include <string_view>
+
 namespace raywalk::schema {
 
 template <class Fields>
@@ -79,20 +81,23 @@ void describe(Fields& f, Light& light) {
 // --- The sky
 
 template <class Fields>
+void shines(Fields& f, std::string_view key, bool holds) {
+  f.check(key, holds, "the sky is wholly black (expected some light)", "for a scene without a sky, leave [sky] out");
+}
+
+template <class Fields>
 void describe(Fields& f, GradientSky& sky) {
   f.about("A sky that fades from the horizon to the zenith.");
   f.key("horizon", sky.horizon, light_colour, "Its colour and brightness at the horizon.");
   f.key("zenith", sky.zenith, light_colour, "Its colour and brightness straight up.");
-  f.check("zenith", !is_black(sky.horizon) || !is_black(sky.zenith), "the sky is wholly black (expected some light)",
-          "for a scene without a sky, leave [sky] out");
+  shines(f, "zenith", !is_black(sky.horizon) || !is_black(sky.zenith));
 }
 
 template <class Fields>
 void describe(Fields& f, OvercastSky& sky) {
   f.about("A sky covered with clouds, three times as bright overhead as at the horizon (CIE).");
   f.key("zenith", sky.zenith, light_colour, "Its colour and brightness straight up.");
-  f.check("zenith", !is_black(sky.zenith), "the sky is wholly black (expected some light)",
-          "for a scene without a sky, leave [sky] out");
+  shines(f, "zenith", !is_black(sky.zenith));
 }
 
 template <class Fields>
@@ -102,8 +107,7 @@ void describe(Fields& f, ClearSky& sky) {
   f.key("turbidity", sky.turbidity, turbidity, "How hazy the air is: 2 is very clear, 6 hazy.");
   f.key("albedo", sky.albedo, albedo, "The share of light that the ground sends back into the air.");
   f.key("strength", sky.strength, light_colour, "Multiplies all of it; 1 is in units of 683 candela a square metre.");
-  f.check("strength", !is_black(sky.strength), "the sky is wholly black (expected some light)",
-          "for a scene without a sky, leave [sky] out");
+  shines(f, "strength", !is_black(sky.strength));
 }
 
 template <class Fields>
@@ -112,8 +116,7 @@ void describe(Fields& f, ImageSky& sky) {
   f.required("file", sky.file, sky_file_name,
              "A .hdr, .exr, .pfm or .png, twice as wide as high, looked for from the folder of the scene.");
   f.key("strength", sky.strength, light_colour, "Multiplies all of it.");
-  f.check("strength", !is_black(sky.strength), "the sky is wholly black (expected some light)",
-          "for a scene without a sky, leave [sky] out");
+  shines(f, "strength", !is_black(sky.strength));
 }
 
 template <class Fields>

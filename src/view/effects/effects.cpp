@@ -68,6 +68,16 @@ void count(const State& state, EffectRays& rays) {
   }
 }
 
+/// Whether an effect that the scene uses can be left out (can_switch).
+bool can_leave_out(const State& state, Effect effect) {
+  if (state.walk.bug) return false;
+  const State without = with_effect(state, effect, false);
+  const SceneSeen scene = walked_scene(without);
+  const RenderChoices& now = scene->render;
+  if (effect == Effect::shadows) return now.numerics == Numerics::robust && !traits_of(now.integrator).is_global;
+  return is_of_tracer(effect) || !effects_of(*scene, samples_seen(without, most_samples(without))).used(effect);
+}
+
 EffectRays looked_at(const State& state) {
   EffectRays rays;
   rays.of = state.walk.timeline;
@@ -76,7 +86,7 @@ EffectRays looked_at(const State& state) {
   for (const Effect effect : values_of<Effect>) {
     const bool is_out = state.effects.leaves_out(effect);
     rays.offered.set(number_of(effect), is_out || used.used(effect));
-    rays.can.set(number_of(effect), is_out || (rays.offered[number_of(effect)] && can_switch(state, effect)));
+    rays.can.set(number_of(effect), is_out || (used.used(effect) && can_leave_out(state, effect)));
   }
   rays.all = formed(*state.walk.timeline);
   rays.counted = entries_of(state.scene().objects) <= most_entries &&
@@ -104,12 +114,7 @@ std::optional<Scene> without_effects(const State& state, const Scene& scene) {
 int samples_seen(const State& state, int asked) { return state.effects.leaves_out(Effect::antialiasing) ? 1 : asked; }
 
 bool can_switch(const State& state, Effect effect) {
-  if (state.walk.bug || !used_effects(state).used(effect)) return false;
-  const State without = with_effect(state, effect, false);
-  const SceneSeen scene = walked_scene(without);
-  const RenderChoices& now = scene->render;
-  if (effect == Effect::shadows) return now.numerics == Numerics::robust && !traits_of(now.integrator).is_global;
-  return is_of_tracer(effect) || !effects_of(*scene, samples_seen(without, most_samples(without))).used(effect);
+  return used_effects(state).used(effect) && can_leave_out(state, effect);
 }
 
 void action::ShowEffects::apply(State& state) const {
