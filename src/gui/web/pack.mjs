@@ -5,10 +5,11 @@
 // two versions: not while a new one is copied to the host, and not in a browser that keeps some of the old.
 import { spawnSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
-import { copyFileSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from 'node:fs';
+import { copyFileSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { streamed } from './streams.mjs';
 
 const [build, site] = process.argv.slice(2);
 const here = dirname(fileURLToPath(import.meta.url));
@@ -24,6 +25,20 @@ const read = (folder, name) => {
   script.mangle_names({});
   return script.print_to_string({ shorthand: true });
 };
+
+// The compiler may come to use an instruction that one of the two does not know.
+function unpacks(unpacker) {
+  const tool = new WebAssembly.Instance(new WebAssembly.Module(unpacker)).exports, most = tool.unpack_most();
+  tool._initialize();
+  let size = 0;
+  for (let from = 0; from < packed.length && size >= 0; from += most) {
+    const part = packed.subarray(from, from + most);
+    new Uint8Array(tool.memory.buffer).set(part, tool.unpack_room());
+    size = tool.unpack(part.length);
+  }
+  if (!tool.unpack_whole() || code.compare(new Uint8Array(tool.memory.buffer, tool.unpack_code(), size)) !== 0)
+    throw new Error('the page does not unpack its code as it was');
+}
 
 // What the page runs, in this order, behind the program.
 const scripts = ['embed.js', 'offline.js', 'workers.js', 'mirror.js', 'touch.js', 'unpack.js', 'page.js'];
@@ -48,14 +63,15 @@ function page(more_policy, head, rest) {
 }
 
 const sha256 = (...parts) => parts.reduce((hash, part) => hash.update(part), createHash('sha256'));
-// The program's code, packed for the way: LZMA sees all of it, where what hosts and browsers know looks 32 KiB back, and
-// unpack.js brings along what unpacks it. Its file, a .lzma, says how large it was. It is named .bin, for a kind that every
-// host knows.
-const xz = spawnSync('xz', ['-c', '--format=lzma', '--lzma1=preset=9e,lc=4,pb=0,dict=16MiB', join(build, 'raywalk.wasm')],
-  { maxBuffer: 1 << 28 });
+// The program's code, packed for the way: sorted by what it is made of, and by LZMA, which sees all of it, where what hosts
+// and browsers know looks 32 KiB back; unpack.js brings along what unpacks it. Its file, a .lzma, says how large it was. It is
+// named .bin, for a kind that every host knows.
+const code = readFileSync(join(build, 'raywalk.wasm')), sorted = streamed(code);
+const xz = spawnSync('xz', ['-c', '--format=lzma', '--lzma1=preset=9e,lc=2,pb=0,dict=16MiB'], { input: sorted, maxBuffer: 1 << 28 });
 if (xz.status !== 0) throw new Error(`xz could not pack the page: ${xz.error ?? xz.stderr}`);
 const packed = xz.stdout;
-packed.writeBigUInt64LE(BigInt(statSync(join(build, 'raywalk.wasm')).size), 5);
+packed.writeBigUInt64LE(BigInt(sorted.length), 5);
+unpacks(readFileSync(join(build, 'unpack.wasm')));
 const letters = packed.toString('base64');
 const unpacker = readFileSync(join(build, 'unpack.wasm'), 'base64');
 const script = (name) => name === 'raywalk.js' ? read(build, name) :
