@@ -1,9 +1,9 @@
 // Sorts what instructions are made of for what packs them: all opcodes, all indices of locals, all offsets and so on stand
-// beside each other, where each is foretold by its like. unpack.cpp, which puts them together again, says how.
+// beside each other, where each is foretold by its like. joiner.h, which puts them together again, says how.
 const code_section = 10;
 const block_size = 9 << 18; // of code, half of it: a browser compiles one while the next arrives
 
-// The numbers of the streams, as in unpack.cpp.
+// The numbers of the streams, as in joiner.h.
 const declarations = 0, opcodes = 1, local = 2, local_set = 3, small = 4, added = 5, large = 6, i64 = 7, f32 = 8, f64 = 9,
   vectors = 10, called = 11, called_by_pointer = 12, branches = 13, branch_tables = 14, others = 15, loaded = 16, stored = 17,
   lanes_offset = 18, lanes_align = 19, align = 20, streams = align + 0x3f - 0x28;
