@@ -63,7 +63,7 @@ void draw_row(const Ui& ui, const CodeRow& row, const Rect& where) {
   if (row.just_run) {
     draw.AddRectFilled(least, most, to_imgui(ui.colours.just_run), rounding);
     const float x = where.x + ui.px(3), r = ui.px(7);
-    draw.AddTriangleFilled({x, y - r}, {x + 1.7f * r, y}, {x, y + r}, to_imgui(shades.accent_hovered));
+    fill_triangle(draw, {x, y - r}, {x + 1.7f * r, y}, {x, y + r}, to_imgui(shades.accent_hovered));
   } else if (row.hovered) {
     draw.AddRectFilled(least, most, to_imgui(shades.raised), rounding);
   }

@@ -31,10 +31,9 @@ void mark_row(const Ui& ui, const Rect& image, float top, float bottom) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const ImU32 ink = to_imgui(ui.colours.selected);
   const float y = (top + bottom) / 2, r = ui.px(6);
-  draw.AddTriangleFilled({image.x - ui.px(2), y}, {image.x - ui.px(2) - r, y - r}, {image.x - ui.px(2) - r, y + r},
-                         ink);
-  draw.AddTriangleFilled({image.right() + ui.px(2), y}, {image.right() + ui.px(2) + r, y + r},
-                         {image.right() + ui.px(2) + r, y - r}, ink);
+  fill_triangle(draw, {image.x - ui.px(2), y}, {image.x - ui.px(2) - r, y - r}, {image.x - ui.px(2) - r, y + r}, ink);
+  fill_triangle(draw, {image.right() + ui.px(2), y}, {image.right() + ui.px(2) + r, y + r},
+                {image.right() + ui.px(2) + r, y - r}, ink);
   const ImU32 faint = to_imgui(ui.colours.selected.with_alpha(120));
   draw.AddLine({image.x, top}, {image.right(), top}, faint);
   draw.AddLine({image.x, bottom}, {image.right(), bottom}, faint);

@@ -1,6 +1,7 @@
 #include "gui/painter.h"
 
 #include "gui/ui.h"
+#include "gui/widgets.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +22,7 @@ class ListPainter {
     for (const auto& [from, to] : dashes(line))
       draw_.AddLine(at(from), at(to), colour(line.stroke), width(line.stroke));
     if (const auto head = arrowhead(line))
-      draw_.AddTriangleFilled(at((*head)[0]), at((*head)[1]), at((*head)[2]), colour(line.stroke));
+      fill_triangle(draw_, at((*head)[0]), at((*head)[1]), at((*head)[2]), colour(line.stroke));
   }
 
   void operator()(const PolylineItem& item) {

@@ -1,6 +1,7 @@
 #include "gui/ui.h"
 
 #include "gui/style.h"
+#include "gui/widgets.h"
 
 #include <algorithm>
 #include <cfloat>
@@ -61,7 +62,7 @@ void mark_more(const Ui& ui, const Rect& where, bool above, bool below) {
   const ImU32 ink = to_imgui(Shades(ui.state.appearance.theme).accent);
   const float x = where.x + where.width / 2, half = ui.px(7), high = ui.px(5), edge = ui.px(2);
   const auto head = [&](float tip, float base) {
-    draw.AddTriangleFilled({x, tip}, {x - half, base}, {x + half, base}, ink);
+    fill_triangle(draw, {x, tip}, {x - half, base}, {x + half, base}, ink);
   };
   if (above) head(where.y + edge, where.y + edge + high);
   if (below) head(where.bottom() - edge, where.bottom() - edge - high);

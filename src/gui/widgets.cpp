@@ -74,11 +74,16 @@ void paragraph(Colour colour, std::string_view text) {
   label(colour, broken_lines(std::string(text), ImGui::GetContentRegionAvail().x));
 }
 
+void fill_triangle(ImDrawList& draw, ImVec2 a, ImVec2 b, ImVec2 c, ImU32 colour) {
+  const bool clockwise = (b.x - a.x) * (c.y - a.y) > (b.y - a.y) * (c.x - a.x);  // y points down
+  draw.AddTriangleFilled(a, clockwise ? b : c, clockwise ? c : b, colour);
+}
+
 void draw_icon(ImDrawList& draw, Icon icon, ImVec2 centre, float edge, ImU32 colour) {
   const float r = edge / 2, thick = std::max(edge * 0.14f, 1.5f);
   const auto at = [&](float x, float y) { return ImVec2{centre.x + x * r, centre.y + y * r}; };
   const auto triangle = [&](float tip, float base) {
-    draw.AddTriangleFilled(at(tip, 0), at(base, -0.85f), at(base, 0.85f), colour);
+    fill_triangle(draw, at(tip, 0), at(base, -0.85f), at(base, 0.85f), colour);
   };
   const auto bar = [&](float x) { draw.AddRectFilled(at(x - 0.13f, -0.85f), at(x + 0.13f, 0.85f), colour); };
   // Three quarters of a circle that begin with an arrowhead, at the left for side 1.
@@ -90,9 +95,9 @@ void draw_icon(ImDrawList& draw, Icon icon, ImVec2 centre, float edge, ImU32 col
     draw.PathStroke(colour, 0, thick);
     const float head = 0.5f * r;
     const ImVec2 start{middle.x + radius * std::cos(begin), middle.y + radius * std::sin(begin)};
-    draw.AddTriangleFilled({start.x - side * head * 0.9f, start.y + head * 0.55f},
-                           {start.x - side * head * 0.55f, start.y - head},
-                           {start.x + side * head * 0.75f, start.y + head * 0.35f}, colour);
+    fill_triangle(draw, {start.x - side * head * 0.9f, start.y + head * 0.55f},
+                  {start.x - side * head * 0.55f, start.y - head},
+                  {start.x + side * head * 0.75f, start.y + head * 0.35f}, colour);
   };
   switch (icon) {
     case Icon::none:
@@ -119,13 +124,13 @@ void draw_icon(ImDrawList& draw, Icon icon, ImVec2 centre, float edge, ImU32 col
       break;
     case Icon::first:
       bar(-0.8f);
-      draw.AddTriangleFilled(at(-0.6f, 0), at(0.2f, -0.8f), at(0.2f, 0.8f), colour);
-      draw.AddTriangleFilled(at(0.2f, 0), at(1, -0.8f), at(1, 0.8f), colour);
+      fill_triangle(draw, at(-0.6f, 0), at(0.2f, -0.8f), at(0.2f, 0.8f), colour);
+      fill_triangle(draw, at(0.2f, 0), at(1, -0.8f), at(1, 0.8f), colour);
       break;
     case Icon::last:
       bar(0.8f);
-      draw.AddTriangleFilled(at(0.6f, 0), at(-0.2f, -0.8f), at(-0.2f, 0.8f), colour);
-      draw.AddTriangleFilled(at(-0.2f, 0), at(-1, -0.8f), at(-1, 0.8f), colour);
+      fill_triangle(draw, at(0.6f, 0), at(-0.2f, -0.8f), at(-0.2f, 0.8f), colour);
+      fill_triangle(draw, at(-0.2f, 0), at(-1, -0.8f), at(-1, 0.8f), colour);
       break;
     case Icon::undo:
       turn(1);
@@ -142,9 +147,9 @@ void draw_icon(ImDrawList& draw, Icon icon, ImVec2 centre, float edge, ImU32 col
       break;
     case Icon::exchange:
       draw.AddLine(at(-0.9f, -0.4f), at(0.7f, -0.4f), colour, thick);
-      draw.AddTriangleFilled(at(1, -0.4f), at(0.4f, -0.9f), at(0.4f, 0.1f), colour);
+      fill_triangle(draw, at(1, -0.4f), at(0.4f, -0.9f), at(0.4f, 0.1f), colour);
       draw.AddLine(at(0.9f, 0.5f), at(-0.7f, 0.5f), colour, thick);
-      draw.AddTriangleFilled(at(-1, 0.5f), at(-0.4f, 0), at(-0.4f, 1), colour);
+      fill_triangle(draw, at(-1, 0.5f), at(-0.4f, 0), at(-0.4f, 1), colour);
       break;
     case Icon::focus:
       for (const float x : {-1.0f, 1.0f})
@@ -155,11 +160,11 @@ void draw_icon(ImDrawList& draw, Icon icon, ImVec2 centre, float edge, ImU32 col
       break;
     case Icon::pen:
       draw.AddLine(at(-0.4f, 0.4f), at(0.75f, -0.75f), colour, 2.4f * thick);
-      draw.AddTriangleFilled(at(-0.95f, 0.95f), at(-0.72f, 0.22f), at(-0.22f, 0.72f), colour);
+      fill_triangle(draw, at(-0.95f, 0.95f), at(-0.72f, 0.22f), at(-0.22f, 0.72f), colour);
       break;
     case Icon::arrow:
       draw.AddLine(at(-0.8f, 0.8f), at(0.5f, -0.5f), colour, thick);
-      draw.AddTriangleFilled(at(0.9f, -0.9f), at(0.05f, -0.7f), at(0.7f, -0.05f), colour);
+      fill_triangle(draw, at(0.9f, -0.9f), at(0.05f, -0.7f), at(0.7f, -0.05f), colour);
       break;
     case Icon::letter:
       draw.AddLine(at(-0.8f, -0.75f), at(0.8f, -0.75f), colour, 1.3f * thick);
@@ -186,7 +191,7 @@ void draw_icon(ImDrawList& draw, Icon icon, ImVec2 centre, float edge, ImU32 col
       break;
     case Icon::keep:  // into a tray
       draw.AddLine(at(0, -0.9f), at(0, 0.1f), colour, thick);
-      draw.AddTriangleFilled(at(0, 0.5f), at(-0.5f, -0.1f), at(0.5f, -0.1f), colour);
+      fill_triangle(draw, at(0, 0.5f), at(-0.5f, -0.1f), at(0.5f, -0.1f), colour);
       draw.AddLine(at(-0.9f, 0.2f), at(-0.9f, 0.85f), colour, thick);
       draw.AddLine(at(-0.9f, 0.85f), at(0.9f, 0.85f), colour, thick);
       draw.AddLine(at(0.9f, 0.85f), at(0.9f, 0.2f), colour, thick);

@@ -104,6 +104,8 @@ void show_tooltip(const Ui& ui);
 /// Shows `text` beside the pointer, at once and in one line.
 void tooltip_now(const Ui& ui, const std::string& text);
 
+/// With smooth edges whichever way round its corners are named: ImGui smooths clockwise ones alone.
+void fill_triangle(ImDrawList& draw, ImVec2 a, ImVec2 b, ImVec2 c, ImU32 colour);
 /// Draws an icon into a square of this edge around `centre`.
 void draw_icon(ImDrawList& draw, Icon icon, ImVec2 centre, float edge, ImU32 colour);
 
