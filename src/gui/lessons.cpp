@@ -266,7 +266,12 @@ void LessonPane::draw(const Ui& ui, const Rect& where) {
       if (!alone) prose(ui, ui.colours.text, panel.text);
       if (panel.asks != Asks::nothing) question(ui, panel, is_new);
       // Scrolls a new answer into view, with its context where there is room for both.
-      if (is_new && sitting.revealed) ImGui::SetScrollHereY(room > ui.px(240) ? 0.35f : 0.0f);
+      if (is_new && sitting.revealed) {
+        if (room > ui.px(240))
+          ImGui::SetScrollHereY(0.35f);
+        else  // at the top, and nothing of the last choice, which would be cut and so be blank
+          ImGui::SetScrollFromPosY(ImGui::GetCursorPosY() - ImGui::GetScrollY(), 0);
+      }
       answer(ui, panel);
       if (!alone) notes(ui, panel);
     } else {

@@ -171,7 +171,7 @@ Result<std::string> open_scene_of(State& state, const Link& link) {
     return tl::unexpected(Error{"", 0, 0, fill("lesson.unknown", language, {{"name", link.lesson}}), ""});
   };
   std::uint32_t sum = 0;
-  std::string name = link.lesson;
+  std::string name;
   if (!link.lesson.empty()) {
     action::ShowLessons{true}.apply(state);
     const auto is_it = [&](const LessonEntry& each) { return each.name == link.lesson; };
@@ -195,7 +195,8 @@ Result<std::string> open_scene_of(State& state, const Link& link) {
     if (state.lessons.shown) action::ShowLessons{false}.apply(state);
   }
   if (link.sum && *link.sum != sum) return fill("link.other_version", language, {{"scene", name}});
-  return name.empty() ? std::string() : fill("notice.opened", language, {{"file", name}});
+  // A lesson stands there with its title, and a notice would hide what it asks about.
+  return name.empty() || !link.lesson.empty() ? std::string() : fill("notice.opened", language, {{"file", name}});
 }
 
 /// Opens it, once unsaved work is settled.
