@@ -385,6 +385,8 @@ class Loop::Parts {
     const float now = unit(), density = window_.density();
     if (now != styled_unit_ || state_.appearance.theme != styled_theme_)
       set_style(ImGui::GetStyle(), state_.appearance.theme, now);
+    // Small buttons reach a little beyond their edges for a finger, and not into their neighbours.
+    ImGui::GetStyle().TouchExtraPadding = state_.appearance.touch ? ImVec2{2 * now, 4 * now} : ImVec2{0, 0};
     if (now != styled_unit_ || density != fonts_.density || fonts_.text == nullptr) {
       ImGuiIO& io = ImGui::GetIO();
       fonts_ = build_fonts(*io.Fonts, fonts_found_, now, density, state_.appearance.language.others());

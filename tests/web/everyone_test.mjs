@@ -177,6 +177,11 @@ for (const [name, size, more] of [['at a desk', { hasTouch: true }], ['on a tele
       }
       await visit.tap(...middle(items[item]));
     };
+    // The answer stands at the top of the little room that there is, above its reason.
+    const verdict_is_on_top = async () => {
+      const { items } = await visit.until((now) => now.items['lesson-verdict']?.[1] - now.items.lesson[1] < (more ? 100 : 400));
+      assert.ok(items['lesson-verdict'][1] >= items['lesson-lines'][1] - 1);
+    };
     const look = (step) => page.screenshot({ path: join(pictures, `touch-${size.width ?? 1280}-lesson-1-${step}.png`) });
     if (!more) {
       await tap('lessons');
@@ -191,6 +196,7 @@ for (const [name, size, more] of [['at a desk', { hasTouch: true }], ['on a tele
       await look(step);
       await tap('lesson-reveal');
       await visit.until((now) => lesson_1(now).revealed);
+      await verdict_is_on_top();
       await look(`${step}-revealed`);
       await tap('lesson-next');
     }
@@ -217,6 +223,14 @@ for (const [name, size, more] of [['at a desk', { hasTouch: true }], ['on a tele
     assert.deepEqual(visit.complaints, []);
     await page.close();
   });
+
+test('a finger that misses a small button by little presses it', async () => {
+  const visit = await Visit.begin(browser, server.address, phone, '&language=en#v=1/scene=glass/mode=move'), { page } = visit;
+  const { items: { 'mode-trace': [x, y, width] } } = await visit.until((now) => now.mode === 'move');
+  await visit.tap(x + width / 2, y - 2);
+  await visit.until((now) => now.mode === 'trace');
+  await page.close();
+});
 
 test('two fingers zoom and pan the plan, and one that rests tells and presses nothing', async () => {
   const visit = await Visit.begin(browser, server.address, { hasTouch: true }), { page } = visit;
