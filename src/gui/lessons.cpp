@@ -189,6 +189,10 @@ void steps(const Ui& ui, const LessonPanel& panel, ImVec2 at, float width) {
   }
 }
 
+bool offers_cure(const Ui& ui, const LessonPanel& panel) {
+  return panel.asks == Asks::line && ui.state.lessons.revealed && ui.state.walk.bug.has_value();
+}
+
 }  // namespace
 
 void LessonPane::number(const Ui& ui, const LessonPanel& panel, bool is_new) {
@@ -217,7 +221,7 @@ void LessonPane::number(const Ui& ui, const LessonPanel& panel, bool is_new) {
     paragraph(ui.colours.error, ui.say("lesson.not_a_number"));
 }
 
-void LessonPane::question(const Ui& ui, const LessonPanel& panel, bool is_new) {
+void LessonPane::question(const Ui& ui, const LessonPanel& panel, bool is_new, bool is_low) {
   const LessonRoom& sitting = ui.state.lessons;
   const ImVec2 wide{ImGui::GetContentRegionAvail().x, button_height(ui)};
   heading(ui, Shades(ui.state.appearance.theme).accent, ui.say("lesson.predict"));
@@ -232,7 +236,7 @@ void LessonPane::question(const Ui& ui, const LessonPanel& panel, bool is_new) {
     if (panel.asks == Asks::line) paragraph(sitting.guess.line ? ui.colours.text : ui.colours.dim_text, panel.marked);
     pop_font();
   }
-  if (panel.asks == Asks::line && sitting.revealed && ui.state.walk.bug) command_button(ui, command("bug-mend"), wide);
+  if (offers_cure(ui, panel) && !is_low) command_button(ui, command("bug-mend"), wide);
   if (panel.astray &&
       button(ui, "lesson-question", ui.say("lesson.back_to_question"), "", wide, {.look = Look::primary}))
     ui.act(action::GoToLessonStep{panel.step - 1});
@@ -258,21 +262,25 @@ void LessonPane::draw(const Ui& ui, const Rect& where) {
   const float options_height = has_options ? height + ui.px(8) : 0;
   const float foot = (open ? height + ui.px(18) : ui.px(10)) + options_height;
   const float room = std::max(where.bottom() - ImGui::GetCursorScreenPos().y - foot, 1.0f);
+  const bool is_low = room <= ui.px(240);
   ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4{0, 0, 0, 0});
   if (ImGui::BeginChild("lesson-words", {width, room}, false)) {
     if (is_new) ImGui::SetScrollY(0);
     if (open) {
       if (!panel.summary.empty() && !alone) prose(ui, ui.colours.dim_text, panel.summary);
       if (!alone) prose(ui, ui.colours.text, panel.text);
-      if (panel.asks != Asks::nothing) question(ui, panel, is_new);
+      if (panel.asks != Asks::nothing) question(ui, panel, is_new, is_low);
       // Scrolls a new answer into view, with its context where there is room for both.
       if (is_new && sitting.revealed) {
-        if (room > ui.px(240))
+        if (!is_low)
           ImGui::SetScrollHereY(0.35f);
         else  // at the top, and nothing of the last choice, which would be cut and so be blank
           ImGui::SetScrollFromPosY(ImGui::GetCursorPosY() - ImGui::GetScrollY(), 0);
       }
       answer(ui, panel);
+      // Where the question has scrolled away, below what speaks of it.
+      if (offers_cure(ui, panel) && is_low)
+        command_button(ui, command("bug-mend"), {ImGui::GetContentRegionAvail().x, height});
       if (!alone) notes(ui, panel);
     } else {
       list(ui, panel);

@@ -102,7 +102,7 @@ class LessonPane {
   void draw(const Ui& ui, const Rect& where);
 
  private:
-  void question(const Ui& ui, const LessonPanel& panel, bool is_new);
+  void question(const Ui& ui, const LessonPanel& panel, bool is_new, bool is_low);
   void number(const Ui& ui, const LessonPanel& panel, bool is_new);
 
   std::string number_;     ///< as typed

@@ -232,6 +232,16 @@ test('a finger that misses a small button by little presses it', async () => {
   await page.close();
 });
 
+test('on a telephone what fixes the bug of a lesson stands below the answer, which the question has made room for', async () => {
+  const visit = await Visit.begin(browser, server.address, phone, '&language=en#v=1/lesson=14-radiosity/at=7');
+  await visit.until((now) => now.lesson?.step === 7 && now.notice === '', 'no notice hides what is asked about');
+  await visit.act('mark-line 67');
+  await visit.act('reveal');
+  const { items } = await visit.until((now) => now.lesson.revealed && 'bug-mend' in now.items);
+  assert.ok(items['bug-mend'][1] > items['lesson-verdict'][1]);
+  await visit.page.close();
+});
+
 test('two fingers zoom and pan the plan, and one that rests tells and presses nothing', async () => {
   const visit = await Visit.begin(browser, server.address, { hasTouch: true }), { page } = visit;
   const touch = (type, ...points) => visit.touch(type, ...points);
