@@ -3,7 +3,7 @@ set(page "${CMAKE_SOURCE_DIR}/src/gui/web")
 
 # Searches that a person watches, tracers that are wrong on purpose, and what is made once of a scene need not be fast
 # either. The path tracer, photons, radiosity and the tracer in single precision are small rather than fast, too, and take
-# about half and two thirds as long again: chosen when raywalk.html was close to its 2 MB, of which it is now 1.6.
+# about half and two thirds as long again: chosen when raywalk.html was close to its 2 MB, of which it is now 1.5.
 set(smallest accel/watched.cpp accel/accelerator_naive.cpp trace/kernel_naive.cpp trace/kernel_faulty.cpp
   trace/kernel_filtering.cpp trace/kernel_float.cpp trace/scene_kernel.cpp trace/photon_kernel.cpp
   trace/photon_lights.cpp trace/photon_map.cpp trace/microfacets.cpp trace/rough_dielectric.cpp trace/radiosity_kernel.cpp trace/radiosity_pass.cpp trace/patch_cutter.cpp trace/patches.cpp trace/patch_elements.cpp
