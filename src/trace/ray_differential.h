@@ -54,6 +54,13 @@ template <class T>
   return {without_dt + dt * D, ray.dD};
 }
 
+/// Both from the eye to the hit: of its place alone. What `from_eye` leaves out along D, `transfer` would again.
+template <class T>
+[[nodiscard, gnu::always_inline]] inline Vec3<T> from_eye_to_hit(const Vec3<T>& D, T per_length, const Vec3<T>& right,
+                                                                 T t, const Vec3<T>& N) {
+  return (t * per_length) * (right - dot(right, N) * (1 / dot(D, N)) * D);
+}
+
 /// At the hit, into the direction D - 2 (D . N) N (equations 14 to 16). `dN`: by x, where the hit moves by dP.
 template <class T>
 [[nodiscard, gnu::always_inline]] inline RayDerivative<T> reflect(const RayDerivative<T>& ray, const Vec3<T>& D,

@@ -144,11 +144,14 @@ inline auto Tracer<Policy>::prepare(const TreeRay& ray, const Hit<T>& hit) -> Sh
     filtered = Policy::effects.textures && world_.filters(surface);
     if (filtered || (carries_differentials && world_.filters())) {
       const Vec3<T>& D = ray.ray.direction;
-      RayDifferential<T> left;
-      if constexpr (carries_differentials) left = ray.neighbours.differential;
-      if (!carries_differentials || ray.kind == RayKind::primary) left = camera_.differential(D);
-      const RayDifferential<T> arrived = transfer(left, D, hit.t, point.normal);
-      if constexpr (carries_differentials) at.neighbours.differential = arrived;
+      RayDifferential<T> arrived;
+      if constexpr (carries_differentials) {
+        arrived = ray.kind == RayKind::primary ? camera_.differential_at_hit(D, hit.t, point.normal)
+                                               : transfer(ray.neighbours.differential, D, hit.t, point.normal);
+        at.neighbours.differential = arrived;
+      } else {
+        arrived = camera_.differential_at_hit(D, hit.t, point.normal);
+      }
       if constexpr (Policy::effects.textures)
         if (filtered) at.tint.colour = filtered_pattern(world_, arrived, hit, point, ray.ray.time);
     }

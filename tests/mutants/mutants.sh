@@ -283,10 +283,10 @@ mutant differentials_gradient_gets_longer differentials math/vec.h '(derivative 
 mutant differentials_map_forgotten differentials shape/object_transform.h 'return derivative_of_unit(transform.to_world.normal(own.normal), transform.to_world.normal(turned));' 'return turned;'
 mutant differentials_corners_alike differentials accel/triangles.h 'bc.x * (b - a) + bc.y * (c - a)' 'bc.x * (b - a)'
 mutant checker_border_clockwise differentials trace/checker_filter.cpp 'integral / cross(p, q)' 'integral / std::abs(cross(p, q))'
-mutant checker_integral_of_another_row differentials trace/checker_filter.cpp 'return std::abs(within_period(u)) - 0.5' 'return 0.5 - std::abs(within_period(u))'
-mutant checker_line_half_exchanged differentials trace/checker_filter.cpp 'mean_along(exchanged(centre), exchanged(way))' 'mean_along(centre, exchanged(way))'
-mutant checker_lines_counted_once differentials trace/checker_filter.cpp 'sum += 2 * wave * F(' 'sum += wave * F('
-mutant checker_by_parts_without_its_ends differentials trace/checker_filter.cpp 'return (S_S(a + way) - S_S(a)) - (S_S(b + way) - S_S(b)) - du_dv' 'return -du_dv'
+mutant checker_integral_of_another_row differentials trace/checker_filter.cpp 'return absolute(within_period(u)) - 0.5' 'return 0.5 - absolute(within_period(u))'
+mutant checker_line_half_exchanged differentials trace/checker_filter.cpp 'mean_along(swapped(centre), swapped(way))' 'mean_along(centre, swapped(way))'
+mutant checker_lines_counted_once differentials trace/checker_filter.cpp '2.0 * wave * F(' 'wave * F('
+mutant checker_by_parts_without_its_ends differentials trace/checker_filter.cpp 'S(u + du) * S(v + dv) - S(u) * S(v)' 'S(u + du) * S(v + dv)'
 
 # Mirrors of small mirrors, and metals.
 mutant facets_without_their_area facets trace/microfacets.h 'return alpha_ * alpha_ / (pi_v<T> * at * at);' 'return alpha_ / (pi_v<T> * at * at);'

@@ -115,6 +115,13 @@ TEST_CASE("the share of even squares is exact where it can be said") {
   // From (0.3, 0.1) to (2.3, 1.1), or with u for v: even up to u = 1, and between u = 2 and v = 1.
   CHECK(share({1.3, 0.6}, {2, 1}, {0, 0}) == Approx(0.4).epsilon(0).margin(1e-12));
   CHECK(share({0.6, 1.3}, {1, 2}, {0, 0}) == Approx(0.4).epsilon(0).margin(1e-12));
+  // Sides that lean by less than a division can say, from a line between squares.
+  for (const double least : {4.9e-324, 1e-310, 1e-300})
+    for (const double sign : {1.0, -1.0}) {
+      CHECK(share({1, 2}, {sign * least, 4}, {2, 0}) == Approx(0.5).epsilon(0).margin(1e-14));
+      CHECK(share({2, 1}, {4, sign * least}, {0, 2}) == Approx(0.5).epsilon(0).margin(1e-14));
+      CHECK(share({0, 1.5}, {sign * least, 2}, {0, 0}) == Approx(0.5).epsilon(0).margin(1e-14));
+    }
   // Beyond counting, and where nothing can be said.
   CHECK(share({0.5, 0.5}, {1e7, 3}, {2, 1e8}) == 0.5);
   CHECK(share({0.5, 0.5}, {std::nan(""), 0}, {0, 1}) == 0.5);
