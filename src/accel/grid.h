@@ -35,6 +35,10 @@ class Grid {
       const T cells = size[axis] > longest * T(1e-4) ? std::ceil(size[axis] / cell) : T(1);
       cells_[axis] = static_cast<int>(std::clamp(cells, T(1), T(max_cells)));
     }
+    // Where most primitives reach into most cells, larger ones: they would list them more often than memory holds.
+    const std::size_t most = std::max(most_listed, most_listed_each * boxes.bounded.size());
+    while (listed(boxes, build.stop) > most && cells_ != glm::vec<3, int>(1))
+      for (int axis = 0; axis < 3; ++axis) cells_[axis] = (cells_[axis] + 1) / 2;
     fill(boxes, build.stop);
     if (build.watcher != nullptr) record_build(*build.watcher, boxes);
   }
@@ -105,6 +109,7 @@ class Grid {
  private:
   static constexpr T density = 4;
   static constexpr int max_cells = 256;
+  static constexpr std::size_t most_listed = std::size_t{1} << 26, most_listed_each = 32;
   static constexpr std::size_t mailbox_size = 64;
 
   [[nodiscard]] double plane(int axis, int i) const {
@@ -146,19 +151,33 @@ class Grid {
            static_cast<std::size_t>(x);
   }
 
-  /// Calls `visit(cell)` for every cell that the box overlaps, widened by a fraction of a cell against rounding.
+  /// The first and last column that the box overlaps, widened by a fraction of a cell against rounding.
+  [[nodiscard]] std::array<int, 2> columns_of(const Bounds<T>& box, int axis) const {
+    const T sliver = T(1e-3);
+    const T margin = sliver * (box_.max[axis] - box_.min[axis]) / static_cast<T>(cells_[axis]);
+    return {cell_of(box.min[axis] - margin, axis), cell_of(box.max[axis] + margin, axis)};
+  }
+  /// Calls `visit(cell)` for every cell that the box overlaps.
   template <class Visit>
   void for_cells(const Bounds<T>& box, Visit visit) const {
-    const T sliver = T(1e-3);
-    std::array<int, 3> low{}, high{};
-    for (int axis = 0; axis < 3; ++axis) {
-      const T margin = sliver * (box_.max[axis] - box_.min[axis]) / static_cast<T>(cells_[axis]);
-      low[static_cast<std::size_t>(axis)] = cell_of(box.min[axis] - margin, axis);
-      high[static_cast<std::size_t>(axis)] = cell_of(box.max[axis] + margin, axis);
+    const auto xs = columns_of(box, 0), ys = columns_of(box, 1), zs = columns_of(box, 2);
+    for (int z = zs[0]; z <= zs[1]; ++z)
+      for (int y = ys[0]; y <= ys[1]; ++y)
+        for (int x = xs[0]; x <= xs[1]; ++x) visit(index(x, y, z));
+  }
+  /// How many primitives all cells list together.
+  [[nodiscard]] std::size_t listed(const PrimitiveBounds<T>& boxes, const Stop& stop) const {
+    std::size_t sum = 0;
+    for (const int id : boxes.bounded) {
+      stop.check();
+      std::size_t cells = 1;
+      for (int axis = 0; axis < 3; ++axis) {
+        const auto columns = columns_of(boxes.box(id), axis);
+        cells *= static_cast<std::size_t>(columns[1] - columns[0] + 1);
+      }
+      sum += cells;
     }
-    for (int z = low[2]; z <= high[2]; ++z)
-      for (int y = low[1]; y <= high[1]; ++y)
-        for (int x = low[0]; x <= high[0]; ++x) visit(index(x, y, z));
+    return sum;
   }
 
   /// Counts first, then fills: the lists of all cells are contiguous.

@@ -19,7 +19,7 @@ class Octree {
   explicit Octree(const PrimitiveBounds<T>& boxes, const BuildOptions& build = {}) {
     if (boxes.bounded.empty()) return;
     nodes_.push_back({boxes.whole, 0, 0, false});
-    split(0, boxes.bounded, boxes, 0, build);
+    split(0, boxes.bounded, boxes, 0, most_listed * boxes.bounded.size(), build);
   }
 
   template <class AnyRay, class Query>
@@ -75,6 +75,9 @@ class Octree {
  private:
   static constexpr int max_depth = 12;
   static constexpr std::size_t max_leaf = 6;
+  /// Primitives that all leaves list together, for each that there is: what lies in the same place, and in half of all
+  /// octants, would be copied without end.
+  static constexpr std::size_t most_listed = 100;
 
   /// A leaf holds ids_[first, first + count); an inner node's children (the empty ones left out) are the nodes there.
   struct Node {
@@ -93,8 +96,9 @@ class Octree {
     for (std::uint32_t i = 0; node.inner && i < node.count; ++i) list_nodes(nodes, most, node.first + i, depth + 1);
   }
 
+  /// `room`: how many primitives the leaves below may list together.
   void split(std::size_t index, const std::vector<int>& ids, const PrimitiveBounds<T>& boxes, int depth,
-             const BuildOptions& build) {
+             std::size_t room, const BuildOptions& build) {
     depth_ = std::max(depth_, depth);
     const Bounds<T> box = nodes_[index].box;
     const Vec3<T> middle = box.min + (box.max - box.min) / T(2);
@@ -113,13 +117,14 @@ class Octree {
       }
     }
     // Splitting primitives that fill the cube only copies them: stop when most primitives land in most octants.
-    if (references == 0 || references > 4 * ids.size()) {
+    if (references == 0 || references > 4 * ids.size() || references > room) {
       if (build.watcher != nullptr) {
         BuildStep step{.kind = BuildStep::Kind::leaf, .box = wide(box), .depth = depth};
         step.items = static_cast<int>(ids.size());
         step.why = ids.size() <= 1          ? LeafReason::single
                    : ids.size() <= max_leaf ? LeafReason::few
                    : depth >= max_depth     ? LeafReason::too_deep
+                   : references > room      ? LeafReason::too_many_listed
                                             : LeafReason::no_gain;
         build.watcher->add(std::move(step));
       }
@@ -146,7 +151,8 @@ class Octree {
       build.watcher->add(std::move(step));
     }
     for (std::size_t octant = 0; octant < 8; ++octant)
-      if (!parts[octant].empty()) split(child[octant], parts[octant], boxes, depth + 1, build);
+      if (!parts[octant].empty())
+        split(child[octant], parts[octant], boxes, depth + 1, room * parts[octant].size() / references, build);
   }
 
   static bool overlap(const Bounds<T>& a, const Bounds<T>& b) {

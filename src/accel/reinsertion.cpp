@@ -3,7 +3,6 @@
 #include "accel/lane_box.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 namespace raywalk {

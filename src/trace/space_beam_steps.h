@@ -162,7 +162,8 @@ void SpaceBeamTracer<T, Watcher>::divide_by_squares(std::vector<Part>& parts, co
       const double at = endless ? infinity<double> : (start[axis] + dot(growth, on_face(place) - origin)) / size;
       low = std::min(low, at), high = std::max(high, at);
     }
-    if (!(high - low < most_squares)) {
+    constexpr double countable = 0x1p52;  // each whole number has a next one
+    if (!(high - low < most_squares && std::abs(low) < countable && std::abs(high) < countable)) {
       whole.has_mean = true;
       return parts.push_back(std::move(whole));
     }

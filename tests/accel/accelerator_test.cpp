@@ -218,3 +218,14 @@ TEST_CASE("the automatic choice builds a structure only where one pays", "[accel
   CHECK(Accelerator<double>(Primitives<double>(std::vector<Shape<double>>(50, Sphere<double>{}))).kind() ==
         AcceleratorKind::bvh);
 }
+
+TEST_CASE("what lies in one place fills no structure without end", "[accel]") {
+  // Each of these reaches into all cells of a grid that many would call for, and into half of all octants.
+  const auto build = [](AcceleratorKind kind, int count, const Vec3d& size) {
+    Primitives<double> primitives;
+    for (int i = 0; i < count; ++i) primitives.add(Box<double>{-size, size * (1 + 1e-9 * i)});
+    return Accelerator<double>(primitives, kind).statistics();
+  };
+  CHECK(build(AcceleratorKind::grid, 33'000, {1, 1, 1}).references < std::size_t{1} << 26);
+  CHECK(build(AcceleratorKind::octree, 7, {1, 1, 0}).references <= 700);
+}

@@ -192,6 +192,13 @@ TEST_CASE("the squares of a checker are cut, in mirrors too, and far away they h
   const auto far = picture_of<double>(scene, 9, 9);
   for (int column = 0; column < 9; ++column)
     CHECK(far.at(column, 4).y == Approx((0.9 + 0.3) / 2 / 2).epsilon(0).margin(1e-9));
+  // Squares so small and far from the first that their numbers have no next ones.
+  scene.camera.eye = {50, 46, 0};
+  scene.camera.look_at = {50, 50, 0};
+  scene.objects[0].material.checker->size = 1e-15;
+  const auto dust = picture_of<double>(scene, 9, 9);
+  for (int column = 0; column < 9; ++column)
+    CHECK(dust.at(column, 7).y == Approx((0.9 + 0.3) / 2).epsilon(0).margin(1e-9));
 }
 
 TEST_CASE("a point light's shadow on a floor is as large as that of its triangle") {
