@@ -181,10 +181,20 @@ Result<Image> read_pfm(const std::string& path) {
   return decode_pfm(*bytes, path);
 }
 
+namespace {
+
+/// Of a format that holds linear floats, by its first bytes; null if it is none.
+auto decoder_of_floats(std::string_view bytes) -> Result<Image> (*)(std::string_view, const std::string&) {
+  if (bytes.starts_with("PF")) return decode_pfm;
+  if (bytes.starts_with("\x76\x2f\x31\x01")) return decode_exr;
+  if (bytes.starts_with("#?RADIANCE") || bytes.starts_with("#?RGBE")) return decode_hdr;
+  return nullptr;
+}
+
+}  // namespace
+
 Result<Image> decode_map(std::string_view bytes, const std::string& file_name, ByteMeaning meaning) {
-  if (bytes.starts_with("PF")) return decode_pfm(bytes, file_name);
-  if (bytes.starts_with("\x76\x2f\x31\x01")) return decode_exr(bytes, file_name);
-  if (bytes.starts_with("#?RADIANCE") || bytes.starts_with("#?RGBE")) return decode_hdr(bytes, file_name);
+  if (const auto decode = decoder_of_floats(bytes)) return decode(bytes, file_name);
   return decode_png_or_jpeg(bytes, file_name, meaning);
 }
 
@@ -192,14 +202,11 @@ Result<Image> read_image(const std::string& path) {
   constexpr std::size_t max_bytes = std::size_t{1} << 30;
   const auto bytes = read_file(path, max_bytes);
   if (!bytes) return tl::unexpected(bytes.error());
-  const std::string_view content = *bytes;
-  if (content.starts_with("PF")) return decode_pfm(content, path);
-  if (content.starts_with("\x76\x2f\x31\x01")) return decode_exr(content, path);
-  if (content.starts_with("#?RADIANCE") || content.starts_with("#?RGBE")) return decode_hdr(content, path);
-  if (!content.starts_with("\x89PNG\r\n\x1a\n"))
+  if (const auto decode = decoder_of_floats(*bytes)) return decode(*bytes, path);
+  if (!bytes->starts_with("\x89PNG\r\n\x1a\n"))
     return tl::unexpected(Error{path, 0, 0, "this is no picture that can be read (expected a PNG, PFM, EXR or HDR)",
                                 "raywalk render writes the first three"});
-  auto image = decode_png_or_jpeg(content, path);
+  auto image = decode_png_or_jpeg(*bytes, path);
   if (!image) image.error().hint = "is the file whole?";
   return image;
 }

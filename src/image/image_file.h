@@ -21,8 +21,7 @@ enum class ImageFormat { png, pfm, exr };
 /// The format that the extension of `path` names, in either case. To be checked before a long render, not after.
 [[nodiscard]] Result<ImageFormat> image_format_of(const std::string& path);
 
-/// 8 bits per channel. NaN pixels are painted full magenta, so that they stand out. Three bytes per pixel, row by row
-/// from the top; magenta for NaN.
+/// 8 bits per channel, three bytes per pixel, row by row from the top. NaN is painted full magenta, to stand out.
 [[nodiscard]] std::vector<std::uint8_t> bytes_of(std::span<const Rgb<float>> pixels, Encoding encoding);
 [[nodiscard]] inline std::vector<std::uint8_t> bytes_of(const Image& image, Encoding encoding) {
   return bytes_of(image.pixels, encoding);

@@ -37,6 +37,20 @@ struct Bytes {
   std::vector<std::uint8_t> bytes;
 };
 
+/// A PNG without what it says of its colours, which numbers are not.
+std::string without_colour_space(std::string_view png) {
+  constexpr std::size_t signature = 8, around = 12;  // a chunk's length, name and checksum
+  std::string plain(png.substr(0, signature));
+  for (std::size_t at = signature; at + around <= png.size();) {
+    std::size_t length = 0;
+    for (std::size_t i = 0; i < 4; ++i) length = length << 8 | static_cast<unsigned char>(png[at + i]);
+    const std::string_view chunk = png.substr(at, length + around), name = chunk.substr(4, 4);
+    if (name != "gAMA" && name != "cHRM" && name != "sRGB" && name != "iCCP") plain += chunk;
+    at += chunk.size();
+  }
+  return plain;
+}
+
 Result<Bytes> decode_png(std::string_view bytes, const std::string& file) {
   png_image header{};
   header.version = PNG_IMAGE_VERSION;
@@ -44,7 +58,8 @@ Result<Bytes> decode_png(std::string_view bytes, const std::string& file) {
   if (png_image_begin_read_from_memory(image.get(), bytes.data(), bytes.size()) == 0)
     return damaged(file, image->message);
   if (auto small = check_size(file, image->width, image->height); !small) return tl::unexpected(small.error());
-  image->format = PNG_FORMAT_RGBA;  // transparent pixels keep their colour
+  image->flags |= PNG_IMAGE_FLAG_16BIT_sRGB;  // 16 bits a channel mean what 8 mean, not linear light
+  image->format = PNG_FORMAT_RGBA;            // transparent pixels keep their colour
   Bytes decoded{static_cast<int>(image->width), static_cast<int>(image->height), 4, {}};
   decoded.bytes.resize(PNG_IMAGE_SIZE(*image));
   if (png_image_finish_read(image.get(), nullptr, decoded.bytes.data(), 0, nullptr) == 0)
@@ -76,7 +91,9 @@ Result<Image> decode_png_or_jpeg(std::string_view bytes, const std::string& file
     return no_texture(file_name, fmt::format("the file is too large (expected at most {} MiB)", max_bytes >> 20));
   const bool png = bytes.starts_with("\x89PNG"), jpeg = bytes.starts_with("\xff\xd8");
   if (!png && !jpeg) return no_texture(file_name, "this is not an image that can be read (expected a PNG or JPEG)");
-  const Result<Bytes> image = png ? decode_png(bytes, file_name) : decode_jpeg(bytes, file_name);
+  const Result<Bytes> image = !png                             ? decode_jpeg(bytes, file_name)
+                              : meaning == ByteMeaning::number ? decode_png(without_colour_space(bytes), file_name)
+                                                               : decode_png(bytes, file_name);
   if (!image) return tl::unexpected(image.error());
 
   std::array<float, 256> linear{};

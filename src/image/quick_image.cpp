@@ -107,10 +107,11 @@ Result<void> write_pfm(FileWriter& file, const ImageRows& rows) {
   return {};
 }
 
-Result<void> write_exr(FileWriter& file, const ImageRows& rows) {
-  const auto bytes = encode_exr(rows);
-  if (!bytes) return tl::unexpected(bytes.error());
-  return file.write(*bytes);
+Result<void> write_exr(FileWriter& file, const std::string& path, const ImageRows& rows) {
+  auto bytes = encode_exr(rows);
+  if (bytes) return file.write(*bytes);
+  bytes.error().file = path;
+  return tl::unexpected(bytes.error());
 }
 
 }  // namespace
@@ -122,7 +123,7 @@ Result<void> write_image_quickly(const std::string& path, const ImageRows& rows,
   if (auto opened = file.open(path); !opened) return opened;
   const auto written = *format == ImageFormat::png   ? write_png(file, rows, encoding)
                        : *format == ImageFormat::pfm ? write_pfm(file, rows)
-                                                     : write_exr(file, rows);
+                                                     : write_exr(file, path, rows);
   if (!written) return written;
   return file.commit();
 }

@@ -43,6 +43,10 @@ std::string why_no_mesh(const Mesh& mesh) {
       return fmt::format("vertex {} is at ({:g}, {:g}, {:g}) (expected finite numbers, at most {:g})", i, p.x, p.y, p.z,
                          most);
   }
+  for (const std::size_t given : {mesh.normals.size(), mesh.uv.size()})
+    if (given != 0 && given != mesh.positions.size())
+      return fmt::format("{} of {} vertices have a normal or texture coordinates (expected all of them or none)", given,
+                         mesh.positions.size());
   for (std::size_t i = 0; i < mesh.normals.size(); ++i)
     if (const Vec3d& n = mesh.normals[i]; !sound(n.x) || !sound(n.y) || !sound(n.z))
       return fmt::format("the normal of vertex {} is not finite", i);

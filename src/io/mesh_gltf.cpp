@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
 #include <limits>
 
 namespace raywalk {
@@ -189,7 +188,11 @@ class GltfReader {
                      bool mirrored) {
     View indices;
     const bool indexed = file_.find(primitive, "indices") != nullptr;
-    if (indexed) indices = view(file_.whole(primitive, "indices", 0), 1);
+    if (indexed) {
+      indices = view(file_.whole(primitive, "indices", 0), 1);
+      if (indices.normalized || (indices.type != 5121 && indices.type != 5123 && indices.type != 5125))
+        return file_.fail("the indices of a mesh are no whole numbers", "the file is damaged");
+    }
     const std::int64_t count = indexed ? indices.count : vertices;
     const auto corner = [&](std::int64_t i) {
       const std::int64_t vertex = indexed ? static_cast<std::int64_t>(indices.number(i, 0)) : i;
@@ -271,14 +274,9 @@ class GltfReader {
       without_maps_.push_back(materials_.back());
       const std::string texture = maps_.add_to(materials_.back(), from, factors);
       if (texture.empty() || ++textured_ > 1) continue;
-      const std::string name = text_if_any(from, "name");
+      const std::string name = GltfFile::text_or_none(from, "name");
       first_textured_ = {name.empty() ? std::to_string(i) : name, {}, texture};
     }
-  }
-
-  [[nodiscard]] static std::string text_if_any(const Json& object, const char* key) {
-    const Json* found = GltfFile::find(object, key);
-    return found != nullptr && found->is_string() ? found->get<std::string>() : std::string();
   }
 
   /// The metallic part is a mirror, the weaker the rougher it is; the rest is matt, or glass as rough as it says, by

@@ -26,6 +26,8 @@ class GltfFile {
 
   /// A member, or null if absent.
   [[nodiscard]] static const Json* find(const Json& object, const char* key);
+  /// Empty where there is none.
+  [[nodiscard]] static std::string text_or_none(const Json& object, const char* key);
   [[nodiscard]] std::int64_t whole(const Json& object, const char* key, std::int64_t otherwise) const;
   [[nodiscard]] std::string text(const Json& object, const char* key) const;
   /// An index into the list `key`.

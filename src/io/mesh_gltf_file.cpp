@@ -163,6 +163,11 @@ const Json* GltfFile::find(const Json& object, const char* key) {
   return found == object.end() ? nullptr : &*found;
 }
 
+std::string GltfFile::text_or_none(const Json& object, const char* key) {
+  const Json* found = find(object, key);
+  return found != nullptr && found->is_string() ? found->get<std::string>() : std::string();
+}
+
 void GltfFile::fail(std::string message, std::string hint) const {
   if (!failure_) failure_ = Failure{std::move(message), std::move(hint)};
 }

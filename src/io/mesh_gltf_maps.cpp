@@ -14,11 +14,6 @@ namespace {
 
 MapImage laid(const std::shared_ptr<const Image>& pixels) { return {"", 1, -1, pixels}; }
 
-std::string text_of(const Json& object, const char* key) {
-  const Json* found = GltfFile::find(object, key);
-  return found != nullptr && found->is_string() ? found->get<std::string>() : std::string();
-}
-
 /// The pixel of an image at the place of that of an image of another size.
 Rgbd at_place(const Image* image, int column, int row, const Image& of) {
   if (image == nullptr) return Rgbd(1.0);
@@ -40,7 +35,7 @@ const Json* GltfMaps::named_by(const Json& object, const char* key, const char* 
 }
 
 std::optional<std::string> GltfMaps::bytes_of(const Json& image) const {
-  if (const std::string uri = text_of(image, "uri"); !uri.empty()) {
+  if (const std::string uri = GltfFile::text_or_none(image, "uri"); !uri.empty()) {
     auto bytes = bytes_of_uri(uri, path_, "image");
     if (!bytes) return std::nullopt;
     return std::move(*bytes);
@@ -78,8 +73,9 @@ auto GltfMaps::read(const Json* use, const char* key, bool is_colour) -> Pixels 
     pixels = known->second;
   }
   if (!pixels && unread_.empty()) {
-    std::string name = image == nullptr ? "" : text_of(*image, "uri");
-    if (name.empty() || name.rfind("data:", 0) == 0) name = image == nullptr ? "" : text_of(*image, "name");
+    std::string name = image == nullptr ? "" : GltfFile::text_or_none(*image, "uri");
+    if (name.empty() || name.rfind("data:", 0) == 0)
+      name = image == nullptr ? "" : GltfFile::text_or_none(*image, "name");
     unread_ = name.empty() ? key : std::string(key) + " " + name;
   }
   return pixels;
@@ -140,7 +136,7 @@ std::string GltfMaps::add_to(Material& material, const Json& from, const Factors
   if (const Json* occlusion = GltfFile::find(from, "occlusionTexture"); occlusion != nullptr && unread_.empty()) {
     const Json* texture = named_by(*occlusion, "index", "textures");
     const Json* image = texture == nullptr ? nullptr : named_by(*texture, "source", "images");
-    const std::string name = image == nullptr ? "" : text_of(*image, "uri");
+    const std::string name = image == nullptr ? "" : GltfFile::text_or_none(*image, "uri");
     unread_ = name.empty() ? "occlusionTexture" : "occlusionTexture " + name;
   }
   return unread_;

@@ -106,6 +106,9 @@ class PlyReader {
         const std::string_view name = cursor_.word();
         const auto count = detail::whole_in(cursor_.word());
         if (!count || *count < 0) return fail("an element without a count (expected \"element NAME COUNT\")");
+        const auto has_name = [&](const PlyElement& element) { return element.name == name; };
+        if (std::any_of(elements_.begin(), elements_.end(), has_name))
+          return fail(fmt::format("the element \"{}\" twice (expected each once)", name.substr(0, 40)));
         elements_.push_back({std::string(name), *count, {}});
       } else if (keyword == "property") {
         if (!read_property()) return false;
@@ -306,7 +309,7 @@ class PlyReader {
 
 Result<MeshFile> parse_ply(std::string bytes, const std::string& path) {
   if (const auto other = why_not_utf8(bytes, path)) return tl::unexpected(*other);
-  while (bytes.starts_with(utf8_mark)) bytes.erase(0, utf8_mark.size());
+  drop_utf8_marks(bytes);
   return PlyReader(bytes, path).read();
 }
 

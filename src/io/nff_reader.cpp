@@ -30,7 +30,7 @@ std::vector<TransformStep> along(const Vec3d& foot, const Vec3d& axis) {
   steps.reserve(2);
   const Vec3d z(0, 0, 1), side = cross(z, axis);
   constexpr double degrees = 180 / 3.14159265358979323846;
-  if (side != Vec3d(0.0)) {
+  if (length(side) > 0) {
     steps.push_back({Rotate{side, portable::atan2(length(side), axis.z) * degrees}});
   } else if (axis.z < 0) {
     steps.push_back({Rotate{{1, 0, 0}, 180}});

@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <new>
 
 namespace raywalk {
@@ -99,7 +98,7 @@ void warn_of_bright_materials(const Scene& scene, const toml::table& root, ReadL
   }
 }
 
-/// Of one of the maps; `what`: whose.
+/// Why one of a material's maps changes nothing; empty if it does.
 std::string why_idle(const ParameterMap& map, const Material& material) {
   const auto is_nothing = [&] {
     switch (map.of) {

@@ -48,8 +48,8 @@ class TriangleGatherer {
   int left_out_ = 0;
 };
 
-/// Estimates the memory for the scene of a text from the first words of its lines: `objects`, and corners and triangles
-/// of meshes. Called before reading; reserves the objects.
+/// Estimates the memory for the scene of a text from the first words of its lines: of objects, and of corners and
+/// triangles of meshes. Called before reading; reserves the objects.
 [[nodiscard]] std::optional<Error> make_room(Scene& scene, std::string_view text, const std::string& file,
                                              const std::vector<std::string_view>& object_words,
                                              const std::vector<std::string_view>& triangle_words);

@@ -24,7 +24,7 @@ class ReadLog {
 
   void fail(const toml::source_region& where, std::string message, std::string hint);
   void warn(const toml::source_region& where, const std::string& message);
-  /// False (and an error) when an object or light already has this name.
+  /// An error when an object or light already has this name.
   void claim_name(const std::string& name, const toml::source_region& where);
 
   /// A mesh file, relative to the scene's; read once. Null (and an error) if it cannot be read; null too if meshes are

@@ -4,7 +4,6 @@
 #include "text/toml_text.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -114,7 +113,7 @@ std::string list_text(const Value& list) {
   return text + "]";
 }
 
-/// `text` is the value's inline text. A long list of lists is put on a line each.
+/// A long list of lists is put on a line each.
 std::string entry_text(const Value& value) {
   std::string text = value.key + " = " + inline_text(value);
   constexpr std::size_t longest_line = 100;

@@ -212,6 +212,8 @@ class TestFormatReader {
   }
   void read_directional() {
     const Vec3d towards = matrices_.back().whole().direction(words_.direction("the direction"));
+    if (words_.ok() && length(towards) * schema::max_magnitude < 1)
+      return words_.fail_item("the current matrix leaves the light no direction", "scale by more");
     add_light({names_.next("Light"), words_.colour("the colour"), DirectionalLight{towards}}, towards);
   }
   void add_light(Light light, const Vec3d& place) {

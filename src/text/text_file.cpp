@@ -34,10 +34,15 @@ void end_lines_with_lf(std::string& bytes, std::size_t begin, std::size_t end) {
     if (at + 1 == end || bytes[at + 1] != '\n') bytes[at] = '\n';
 }
 
+void drop_utf8_marks(std::string& bytes) {
+  std::size_t end = 0;
+  while (bytes.compare(end, utf8_mark.size(), utf8_mark) == 0) end += utf8_mark.size();
+  bytes.erase(0, end);
+}
+
 Result<void> make_plain_text(std::string& bytes, const std::string& path) {
   if (const auto other = why_not_utf8(bytes, path)) return tl::unexpected(*other);
-  // Joined files may begin with several.
-  while (bytes.starts_with(utf8_mark)) bytes.erase(0, utf8_mark.size());
+  drop_utf8_marks(bytes);
   end_lines_with_lf(bytes, 0, bytes.size());
   if (const std::size_t mark = bytes.find("\n" + std::string(utf8_mark)); mark != std::string::npos) {
     const auto line = 2 + std::count(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(mark), '\n');

@@ -19,6 +19,9 @@ inline constexpr std::string_view utf8_mark = "\xef\xbb\xbf";
 /// Makes each lone CR in [begin, end) an LF.
 void end_lines_with_lf(std::string& bytes, std::size_t begin, std::size_t end);
 
+/// Removes those at the beginning: joined files may begin with several.
+void drop_utf8_marks(std::string& bytes);
+
 /// Normalizes the bytes of a text file: UTF-8 without a mark, whose lines end with LF or CR LF. A UTF-8 mark at the
 /// beginning is removed, or several, and a lone CR, once a line end, becomes LF; the last line needs no end. Refuses
 /// UTF-16 and UTF-32, a byte 0, and a mark at the beginning of a later line, where files were joined: it would

@@ -76,6 +76,36 @@ TEST_CASE("what is transparent in a PNG keeps its colour") {
   CHECK(texture->pixels == std::vector<Rgb<float>>{{1, 0, 0}, {0, 1, 0}});
 }
 
+TEST_CASE("16 bits of a PNG mean what 8 do, and numbers what they say whatever the file says of colours") {
+  png_image header{};
+  header.version = PNG_IMAGE_VERSION;
+  header.width = 2, header.height = 1, header.format = PNG_FORMAT_LINEAR_RGB;
+  const std::array<std::uint16_t, 6> rgb{0x8080, 0x4040, 0xffff, 0, 0xc0c0, 0x8080};
+  std::string png(2000, '\0');
+  png_alloc_size_t size = png.size();
+  REQUIRE(png_image_write_to_memory(&header, png.data(), &size, 0, rgb.data(), 0, nullptr) != 0);
+  png.resize(size);
+  const auto is = [](const Result<Image>& image, auto decoded) {
+    REQUIRE(image);
+    const std::array<int, 6> bytes{0x80, 0x40, 0xff, 0, 0xc0, 0x80};
+    for (std::size_t i = 0; i < 6; ++i)
+      CHECK(image->pixels[i / 3][static_cast<int>(i % 3)] ==
+            Approx(decoded(bytes[i] / 255.0)).epsilon(0).margin(0.012));  // libpng's steps of 8 bits of sRGB
+  };
+  const auto as_it_is = [](double x) { return x; };
+  // This file says that it is linear: its chunk gAMA.
+  const std::size_t gamma = png.find("gAMA");
+  REQUIRE(gamma != std::string::npos);
+  is(decode_png_or_jpeg(png, "", ByteMeaning::colour), as_it_is);
+  is(decode_png_or_jpeg(png, "", ByteMeaning::number), as_it_is);
+  const std::string silent = png.substr(0, gamma - 4) + png.substr(gamma + 12);
+  const std::size_t white = silent.find("cHRM");
+  const std::string plain =
+      white == std::string::npos ? silent : silent.substr(0, white - 4) + silent.substr(white + 40);
+  is(decode_png_or_jpeg(plain, "", ByteMeaning::colour), srgb_decode);
+  is(decode_png_or_jpeg(plain, "", ByteMeaning::number), as_it_is);
+}
+
 TEST_CASE("chunks that are empty, or say that they are huge") {  // a fuzzer's findings
   const std::string png = encode_png(gradient()).value();
   const std::size_t first = png.find("IDAT") - 4;

@@ -136,6 +136,7 @@ TEST_CASE("what is wrong with a mesh file is told with its place") {
   check_error(ply("4 0 1 2 3 255", "4 0 1"), 23, "ends too early");
   check_error(ply("4 0 1 2 3", "99999 0 1 2 3"), 22, "which the file cannot hold");
   check_error(ply("end_header", "end"), 17, "unknown word \"end\"");
+  check_error(ply("element face 1", "element vertex 0\nelement face 1"), 13, "the element \"vertex\" twice");
   check_error(parse_ply(binary_ply(false, 3, 3), "bad"), 0, "names vertex 3");
   check_error(parse_ply(binary_ply(true, 1000000000), "bad"), 0, "more than the file can hold at byte");
   check_error(parse_ply(binary_ply(true).substr(0, 260), "bad"), 0, "at byte");

@@ -225,6 +225,8 @@ TEST_CASE("what is wrong with a glTF file is told") {
   check_refused(changed("\"mesh\": 0", "\"mesh\": 7"), "number 7 of \"meshes\" (expected 0 to 0)");
   check_refused(changed("\"material\": 0", "\"material\": 3"), "names material 3");
   check_refused(changed("\"indices\": 1", "\"indices\": 0"), "its type is not the one expected");
+  check_refused(changed("5123", "5122"), "the indices of a mesh are no whole numbers");
+  check_refused(changed("5123, \"count\": 6", "5126, \"count\": 3"), "the indices of a mesh are no whole numbers");
   check_refused(changed("{\"mesh\": 0}", "{\"children\": [0]}"), "in a circle");
   check_refused(changed("\"asset\"", "\"extensionsRequired\": [\"KHR_draco_mesh_compression\"], \"asset\""),
                 "needs the extension \"KHR_draco_mesh_compression\" (expected");

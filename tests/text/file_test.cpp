@@ -1,4 +1,5 @@
 #include "text/file.h"
+#include "text/text_file.h"
 
 #include <fcntl.h>
 #include <sys/resource.h>
@@ -46,6 +47,14 @@ class FullDisk {
 };
 
 }  // namespace
+
+TEST_CASE("a file of marks is read in no time") {
+  std::string marks;
+  for (int i = 0; i < 1'000'000; ++i) marks += utf8_mark;
+  marks += "a = 1\n" + std::string(utf8_mark.substr(0, 2));
+  REQUIRE(make_plain_text(marks, "a.toml"));
+  CHECK(marks == "a = 1\n" + std::string(utf8_mark.substr(0, 2)));
+}
 
 TEST_CASE("a file is written and read back, bytes of every kind") {
   const TemporaryFolder folder;
