@@ -78,8 +78,16 @@ int parallel_for(int count, int threads, const std::function<void(int index)>& b
   if (count <= 0) return 0;
   const int wanted = std::min(threads > 0 ? threads : hardware_threads(), count);
   std::atomic<int> next{0};
+  std::exception_ptr thrown;
+  std::mutex throwing;
   const auto work = [&] {
-    for (int index = next++; index < count; index = next++) body(index);
+    try {
+      for (int index = next++; index < count; index = next++) body(index);
+    } catch (...) {
+      const std::lock_guard lock(throwing);
+      if (!thrown) thrown = std::current_exception();
+      next = count;
+    }
   };
   Latch latch;
   std::vector<pthread_t> helpers;
@@ -96,6 +104,7 @@ int parallel_for(int count, int threads, const std::function<void(int index)>& b
   work();
   if (waiting) latch.wait_for(helpers.size(), waiting);
   for (const pthread_t helper : helpers) pthread_join(helper, nullptr);
+  if (thrown) std::rethrow_exception(thrown);
   return static_cast<int>(helpers.size()) + 1;
 }
 

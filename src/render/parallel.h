@@ -15,10 +15,11 @@ namespace raywalk {
 inline constexpr std::size_t default_stack = std::size_t{8} << 20;
 
 /// Calls body(index) once for each index in 0..count - 1, lower ones first, in up to `threads` threads, of which the
-/// caller is one (0: hardware_threads()). Returns when all calls have returned. `body` must not throw, and calls for
-/// different indices must not write to the same place. Returns the number of threads that took part: fewer than
-/// requested when there are fewer indices or the system refuses more. `stack`: bytes of stack of each, except the
-/// caller. `waiting` is called regularly while the caller waits for the others.
+/// caller is one (0: hardware_threads()). Returns when all calls have returned. Where one throws, no more begin, and
+/// the first exception is thrown here in the end. Calls for different indices must not write to the same place. Returns
+/// the number of threads that took part: fewer than requested when there are fewer indices or the system refuses more.
+/// `stack`: bytes of stack of each, except the caller. `waiting` is called regularly while the caller waits for the
+/// others.
 int parallel_for(int count, int threads, const std::function<void(int index)>& body, std::size_t stack = default_stack,
                  const std::function<void()>& waiting = {});
 

@@ -10,11 +10,11 @@ namespace raywalk {
 
 /// A pixel that takes impractically many rays.
 struct TreeSize {
-  double rays = 0;      ///< of one pixel with all its samples, estimated; shadow rays included
-  double growth = 1;    ///< of the tree, per level
-  int depth = 1;        ///< of the scene
-  int samples = 1;      ///< of a pixel
-  int shadow_rays = 0;  ///< of a hit
+  double rays = 0;         ///< of one pixel with all its samples, estimated; shadow rays included
+  double growth = 1;       ///< of the tree, per level
+  int depth = 1;           ///< of the scene
+  int samples = 1;         ///< of a pixel
+  double shadow_rays = 0;  ///< of a hit
 };
 
 /// The first of a few probe pixels that takes more than a million rays; nothing if none does, which takes a few

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <new>
 #include <numeric>
 #include <thread>
 #include <vector>
@@ -32,6 +33,23 @@ TEST_CASE("one thread takes the indices in order, in the caller") {
   std::iota(expected.begin(), expected.end(), 0);
   CHECK(order == expected);
   CHECK_FALSE(elsewhere);
+}
+
+TEST_CASE("what a body throws ends the work and is thrown to the caller, by whichever thread it came") {
+  for (const int threads : {1, 2, 5})
+    for (const int thrower : {0, 1, 500}) {
+      CAPTURE(threads, thrower);
+      std::atomic<int> calls{0};
+      CHECK_THROWS_AS(parallel_for(100'000, threads,
+                                   [&](int index) {
+                                     ++calls;
+                                     if (index == thrower) throw std::bad_alloc();
+                                     if (index > thrower) std::this_thread::yield();
+                                   }),
+                      std::bad_alloc);
+      CHECK(calls > thrower);
+      CHECK(calls < 100'000);
+    }
 }
 
 TEST_CASE("threads work at the same time") {
