@@ -104,8 +104,7 @@ int PhotonTracer<Policy>::light_count_at(const EyeRay& ray, const Vertex& at) co
 template <class Policy>
 auto PhotonTracer<Policy>::form_shadow_ray(const EyeRay& ray, const Vertex& at, int index)
     -> std::optional<LightSample> {
-  constexpr unsigned unasked = 64;  // lamps
-  if (static_cast<unsigned>(index) % unasked == unasked - 1) stop_.check();
+  if (static_cast<std::size_t>(index) % few_lights == few_lights - 1) stop_.check();
   const int lamps = static_cast<int>(world_.lights.size());
   const Light* light = index < lamps ? &world_.lights[static_cast<std::size_t>(index)] : nullptr;
   const bool endless = index >= lamps + (lights_.has_emitters() ? 1 : 0);

@@ -1,5 +1,5 @@
 #pragma once
-// Selects and instantiates the kernels of one scalar type; included by one .cpp per scalar.
+// Selects and instantiates the kernels of one scalar type; included by kernel_*.cpp alone.
 
 #include "trace/kernel.h"
 #include "trace/tracer.h"

@@ -43,9 +43,10 @@ std::string why_no_beams(const Scene& scene) {
 
 std::string object_against_beams(const Scene& scene) {
   const std::string why = why_no_beams(scene);
-  const auto told = std::find_if(scene.objects.begin(), scene.objects.end(),
-                                 [&](const Object& object) { return why.rfind(object.name + " ", 0) == 0; });
-  return told == scene.objects.end() ? std::string() : told->name;
+  std::string told;  // an object's name may begin with that of another
+  for (const Object& object : scene.objects)
+    if (object.name.size() > told.size() && why.starts_with(object.name + " ")) told = object.name;
+  return told;
 }
 
 std::vector<Outline> outlines_of(const Scene& scene) {

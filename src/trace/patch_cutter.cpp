@@ -75,7 +75,7 @@ class Cutter {
   }
 
   /// Any polygon, with holes (the even-odd rule): first into trapezoids between the heights of its corners.
-  /// `axes`: two perpendicular unit vectors in its plane, from which it is seen counter-clockwise.
+  /// `right`, `up`: two perpendicular unit vectors in its plane, from which it is seen counter-clockwise.
   void polygon(int part, const std::vector<std::vector<Vec3d>>& loops, const Vec3d& right, const Vec3d& up) {
     struct Line {
       Vec2d a, b;  ///< a lower than b

@@ -45,7 +45,8 @@ struct PathSettings {
   friend bool operator==(const PathSettings&, const PathSettings&) = default;
 };
 
-/// Of the policy's effects (trace/policy.h), only nesting, scattering, the sky and filtering matter.
+/// Of the policy's effects (trace/policy.h), only nesting, scattering, dipole, sky, filtering,
+/// microfacets and maps matter.
 template <class Policy>
 class PathTracer {
  public:

@@ -23,8 +23,7 @@ bool PathTracer<Policy>::samples_sky(const Vertex& at) const {
 template <class Policy>
 auto PathTracer<Policy>::form_shadow_ray(const PathRay& ray, const Vertex& at, int index)
     -> std::optional<LightSample> {
-  constexpr unsigned unasked = 64;  // lamps
-  if (static_cast<unsigned>(index) % unasked == unasked - 1) stop_.check();
+  if (static_cast<std::size_t>(index) % few_lights == few_lights - 1) stop_.check();
   const bool lamp = index < static_cast<int>(world_.lights.size());
   const bool sky = samples_sky(at) && index == light_count_at(at) - 1;
   const typename World<T>::Light* light = lamp ? &world_.lights[static_cast<std::size_t>(index)] : nullptr;

@@ -35,7 +35,7 @@
 
 namespace raywalk {
 
-/// Of the policy's effects (trace/policy.h), only nesting, the sky and filtering matter.
+/// Of the policy's effects (trace/policy.h), only nesting, filtering, microfacets and maps matter.
 template <class Policy>
 class PhotonTracer {
  public:

@@ -69,7 +69,7 @@ class PatchIrradiance {
   PatchIrradiance() = default;
   PatchIrradiance(FormFactors& factors, const std::vector<PatchLight>& lights, const RunAll& run_all = {},
                   const Stop& stop = {}, bool as_ambient = false);
-  /// `normal`: of the side that is seen. Black where no patch is.
+  /// Black where no patch is.
   [[nodiscard]] Rgbd at(const Patches::Place& place) const;
 
   static constexpr std::size_t most_sources = 64;

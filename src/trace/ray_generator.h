@@ -42,8 +42,9 @@ struct Sampling {
 template <class T>
 class RayGenerator {
  public:
-  /// `size`: of what is rendered. `whole`: of the image that it is, or is a strip of; only its aspect ratio matters,
-  /// and only for a camera that states its angle along y. With `sampling.corners`, `size` is that of the corners.
+  /// `size`: of what is rendered. `whole`: of the image that it is, or is a strip of; its aspect ratio
+  /// matters for a camera that states its angle along y, its width for differentials. With `sampling.corners`, `size`
+  /// is that of the corners, and `whole` that of the picture.
   RayGenerator(const Scene& scene, ImageSize size, ImageSize whole, Sampling sampling = {})
       : RayGenerator(scene.camera, size, whole, sampling) {
     const Effects effects = effects_of(scene, sampling.per_pixel);
@@ -74,7 +75,7 @@ class RayGenerator {
     shutter_close_ = static_cast<T>(camera.shutter_close);
     is_sampled_ = sampling.per_pixel > 1;
     spacing_ = 1 / std::sqrt(static_cast<T>(sampling.per_pixel));
-    const T step = 2 * spacing_ / static_cast<T>(sampling.corners ? whole.width - 1 : whole.width);
+    const T step = 2 * spacing_ / static_cast<T>(whole.width);
     sample_right_ = step * right_;
     sample_up_ = step * up_;
   }
@@ -125,6 +126,14 @@ class RayGenerator {
   [[nodiscard]] RayDifferential<T> differential(const Vec3<T>& direction) const {
     const T per_length = dot(direction, forward_);
     return {from_eye(direction, per_length, sample_right_), from_eye(direction, per_length, sample_up_)};
+  }
+  /// The same, transferred to the hit at t, where the normal is N.
+  [[nodiscard]] RayDifferential<T> differential_at_hit(const Vec3<T>& direction, T t, const Vec3<T>& N) const {
+    const T per_length = dot(direction, forward_);
+    const auto along = [&](const Vec3<T>& right) -> RayDerivative<T> {
+      return {from_eye_to_hit(direction, per_length, right, t, N), from_eye(direction, per_length, right).dD};
+    };
+    return {along(sample_right_), along(sample_up_)};
   }
   /// The distance of a pixel's samples from each other, in pixels: 1 / sqrt(n).
   [[nodiscard]] T spacing() const { return spacing_; }

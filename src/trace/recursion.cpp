@@ -1,7 +1,5 @@
 #include "trace/recursion.h"
 
-#include <algorithm>
-
 namespace raywalk {
 
 std::optional<Error> why_too_deep(int depth) {

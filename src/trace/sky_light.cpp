@@ -196,8 +196,8 @@ auto SkyLight::prepared(const ImageSky& sky, const Rgbd& /*below*/) -> Prepared 
 SkyLight::SkyLight(const Sky& sky, const Rgbd& below)
     : z_(normalize(sky.up)), kind_(std::visit([&](const auto& kind) { return prepared(kind, below); }, sky.kind)) {
   // The azimuth 0 is the x axis, made perpendicular to up; the y axis where up lies along x.
-  const bool along_x = z_.y == 0 && z_.z == 0;
-  const Vec3d zero = along_x ? Vec3d(0, 1, 0) : normalize(Vec3d(1, 0, 0) - z_.x * z_);
+  const Vec3d level = Vec3d(1, 0, 0) - z_.x * z_;
+  const Vec3d zero = length(level) > 0 ? normalize(level) : Vec3d(0, 1, 0);
   x_ = rotation(z_, sky.rotation).direction(zero);
   y_ = cross(z_, x_);
 }

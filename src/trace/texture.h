@@ -12,6 +12,7 @@ namespace raywalk {
 /// the centres of the four nearest pixels.
 template <class T>
 [[nodiscard]] Rgb<T> texture_colour(const Image& texture, T u, T v) {
+  if (!(std::isfinite(u) && std::isfinite(v))) return Rgb<T>(texture.pixels.front());  // too far for T
   // In pixels, from the centre of the top left one; wrapped while still relative to the copy, so that distant positions
   // keep their digits.
   const T x = (u - std::floor(u)) * static_cast<T>(texture.width) - T(0.5);

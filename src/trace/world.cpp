@@ -4,7 +4,6 @@
 #include "trace/lobe_width.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <type_traits>
 #include <unordered_map>

@@ -152,6 +152,12 @@ TEST_CASE("beams are followed only where every outline is known") {
   CHECK(why_no_beams(scene) == "Egg is transformed");
   CHECK(object_against_beams(scene) == "Egg");
   CHECK_FALSE(record_strip(scene).of_beams());
+  // One whose name begins with another's.
+  scene.objects.push_back(scene.objects.back());
+  scene.objects.back().name = "Egg 2";
+  scene.objects[scene.objects.size() - 2].transform.clear();
+  CHECK(why_no_beams(scene) == "Egg 2 is transformed");
+  CHECK(object_against_beams(scene) == "Egg 2");
   scene.objects.back().transform.clear();
   scene.camera.eye.z = 1;
   CHECK(why_no_beams(scene) == "the eye does not lie in z = 0");

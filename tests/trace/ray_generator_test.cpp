@@ -202,3 +202,30 @@ TEST_CASE("a ray's differential is the difference to its neighbours, of the imag
   CHECK(length(there.x.dP) == Approx(focus * 1.4 / 63 / std::sqrt(2)));
   CHECK(length(there.y.dP) == Approx(focus * 1.4 / 63 / std::sqrt(2)));
 }
+
+TEST_CASE("rays through corners are as far apart as those through the middles of pixels") {
+  const Camera camera;
+  const ImageSize pixels{6, 4}, corners{7, 5};
+  Sampling sampling;
+  sampling.corners = true;
+  const RayGenerator<double> middle(camera, pixels, pixels), corner(camera, corners, pixels, sampling);
+  const Vec3d direction = normalize(camera.look_at - camera.eye);
+  const auto a = middle.differential(direction), b = corner.differential(direction);
+  CHECK(a.x.dD == b.x.dD);
+  CHECK(a.y.dD == b.y.dD);
+  CHECK(length(a.x.dD) > 0);
+}
+
+TEST_CASE("from the eye to a hit at once is as by way of the ray") {
+  const Camera camera;
+  const RayGenerator<double> rays(camera, {40, 30}, {40, 30});
+  for (const Vec3d& N : {Vec3d(0, 0, 1), normalize(Vec3d(-1, 0.3, 0.2)), normalize(Vec3d(0.1, 1, -1))})
+    for (const Vec3d& towards : {Vec3d(1, 0.2, -0.3), Vec3d(1, -0.4, 0.1)}) {
+      const Vec3d D = normalize(normalize(camera.look_at - camera.eye) + 0.3 * towards);
+      const auto at_once = rays.differential_at_hit(D, 3.5, N), by_way = transfer(rays.differential(D), D, 3.5, N);
+      CHECK(length(at_once.x.dP - by_way.x.dP) < 1e-13);
+      CHECK(length(at_once.y.dP - by_way.y.dP) < 1e-13);
+      CHECK(at_once.x.dD == by_way.x.dD);
+      CHECK(at_once.y.dD == by_way.y.dD);
+    }
+}

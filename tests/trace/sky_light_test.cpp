@@ -238,6 +238,14 @@ TEST_CASE("a sky turns about its zenith, and stands where its up says") {
     CHECK(in_plan.radiance({d.x, d.z, -d.y}).x == Approx(expected.x).epsilon(1e-9));
     CHECK(turned.pdf({-d.y, d.x, d.z}) == still.pdf(d));
   }
+  // Also where up is all but along x, from which azimuths are counted.
+  for (const double lean : {0.0, 1e-200, 1e-300, 1e-12}) {
+    Sky aside = uneven_sky(0);
+    aside.up = {1, lean, 0};
+    const Rgbd seen = SkyLight(aside, Rgbd(0.0)).radiance({0.3, 0.4, 0.5});
+    CAPTURE(lean, seen.x);
+    CHECK((seen.x > 0 && seen.x < 100));
+  }
   const SkyLight sun({ClearSky{40, 3, 0.2, Rgbd(1.0)}, {0, 0, 1}, 90}, Rgbd(0.0));
   const double c = std::cos(40 * degree), s = std::sin(40 * degree);
   CHECK(sun.radiance({0, c, s}).x > 3 * sun.radiance({c, 0, s}).x);
