@@ -49,20 +49,22 @@ template <class T, class AnyRay>
   return way;
 }
 
-/// Ray number `ray` of the recording, retraced from the eye through its ancestors; none if one of them misses, or is a
-/// beam or a cone.
+/// Ray number `ray` of the recording, retraced from the eye through its ancestors; none if one of them misses, is a
+/// beam or a cone, began at a light as a photon does, or was scattered inside a body.
 template <class T>
 [[nodiscard]] std::optional<RayTwins<T>> retraced_ray(const World<T>& world, const RayGenerator<T>& camera,
                                                       const Timeline& timeline, int ray) {
   const auto record = [&](int number) -> const RayRecord& { return timeline.rays()[static_cast<std::size_t>(number)]; };
   if (timeline.has_width()) return std::nullopt;
   const std::vector<int> way = way_of(timeline, ray);
+  if (record(way.front()).kind != RayKind::primary) return std::nullopt;
   const PixelRecord& pixel = timeline.pixels()[static_cast<std::size_t>(record(ray).pixel)];
   Statistics uncounted;
   const Ray<T> primary = camera.primary_ray({pixel.column, pixel.row, pixel.sample}, uncounted);
   const bool is_naive = world.numerics == Numerics::naive;
   RayTwins<T> twins{primary, NaiveRay<T>(primary)};
   for (std::size_t i = 1; i < way.size(); ++i) {
+    if (record(way[i - 1]).ending == Ending::scattered) return std::nullopt;
     const auto found = is_naive ? find_surface(world, twins.naive) : find_surface(world, twins.robust);
     if (!found) return std::nullopt;
     const Vec3<T> direction(record(way[i]).direction);

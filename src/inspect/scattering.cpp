@@ -49,6 +49,7 @@ std::optional<Scattering> scattering_at(const World<double>& world, const Scene&
   next.ray.direction = normalize(record(way.front()).direction);
   if (nested.any_around_eye()) next.medium = nested.at_eye(next.ray, uncounted.tests);
   for (std::size_t i = 0; i < way.size(); ++i) {
+    if (record(way[i]).ending == Ending::scattered) return std::nullopt;
     const auto hit = world.accelerator.closest(next.ray, infinity<double>, uncounted.tests);
     if (!hit || world.object(hit->primitive) != record(way[i]).object) return std::nullopt;
     Vertex at = prepare_vertex<Policy<double>>(world, nested, next, *hit, uncounted, none);

@@ -30,7 +30,7 @@ Slot slot_of(std::string_view inner) {
   int decimals = 0;
   const auto [end, error] = std::from_chars(after.data(), after.data() + after.size(), decimals);
   constexpr int most = 12;
-  if (after.empty() || error != std::errc() || end != after.data() + after.size() || decimals > most)
+  if (after.empty() || error != std::errc() || end != after.data() + after.size() || decimals < 0 || decimals > most)
     return {std::string(inner), -1};
   return {std::string(inner.substr(0, colon)), decimals};
 }
@@ -53,8 +53,11 @@ std::string unchecked_number(const std::string& text) {
 /// The formulas of a text, with their braces.
 std::vector<std::string> slots_in(const std::string& text) {
   std::vector<std::string> slots;
-  for (std::size_t at = text.find('{'); at != std::string::npos; at = text.find('{', at + 1))
-    slots.push_back(text.substr(at, text.find('}', at) - at + 1));
+  for (std::size_t at = text.find('{'); at != std::string::npos; at = text.find('{', at + 1)) {
+    const std::size_t end = text.find('}', at);
+    if (end == std::string::npos) break;
+    slots.push_back(text.substr(at, end - at + 1));
+  }
   return slots;
 }
 

@@ -203,12 +203,13 @@ constexpr std::array facts{
     Fact{"n1", [](const Moment& at) { return snell(at, [](const SnellNumbers& s) { return s.n1; }); }},
     Fact{"n2", [](const Moment& at) { return snell(at, [](const SnellNumbers& s) { return s.n2; }); }},
     Fact{"fresnel", [](const Moment& at) { return snell(at, [](const SnellNumbers& s) { return s.fresnel; }); }},
-    Fact{
-        "angle_in",
-        [](const Moment& at) { return snell(at, [](const SnellNumbers& s) { return std::acos(s.cos_in) / degree; }); }},
+    Fact{"angle_in",
+         [](const Moment& at) {
+           return snell(at, [](const SnellNumbers& s) { return std::acos(std::min(s.cos_in, 1.0)) / degree; });
+         }},
     Fact{"angle_out",
          [](const Moment& at) {
-           return snell(at, [](const SnellNumbers& s) { return std::acos(s.cos_out) / degree; });
+           return snell(at, [](const SnellNumbers& s) { return std::acos(std::min(s.cos_out, 1.0)) / degree; });
          }},
     Fact{"holds",
          [](const Moment& at) -> Value {

@@ -48,6 +48,9 @@ tl::unexpected<std::string> ExpressionParser::fail(const std::string& expected) 
 }
 
 tl::expected<Expression, std::string> ExpressionParser::parse() {
+  constexpr std::size_t most = 4096;  // characters: sums are trees, which are walked by recursion
+  if (text_.size() > most)
+    return tl::unexpected(fmt::format("a formula of {} characters (expected at most {})", text_.size(), most));
   auto whole = either();
   skip_spaces();
   if (whole && at_ < text_.size()) return fail("the end, or a sign such as + or ==");

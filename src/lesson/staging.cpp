@@ -1,5 +1,6 @@
 #include "lesson/staging.h"
 
+#include "io/textures.h"
 #include "io/toml_table.h"
 #include "text/spelling.h"
 
@@ -121,14 +122,20 @@ Result<SceneDocument> changed_scene(const SceneDocument& document, std::string_v
     }
   }
   std::string text = text_of(scene.table());
-  auto changed = parse_scene(text, file_name);
-  if (!changed) {
+  // Names of meshes and images are relative to the scene's own file.
+  const std::string& path = document.path.empty() ? file_name : document.path;
+  auto changed = parse_scene(text, path);
+  Result<void> loaded;
+  if (changed) loaded = load_textures(changed->scene, path.substr(0, path.find_last_of('/') + 1));
+  if (!changed || !loaded) {
     // The place is in the changed text, which the author cannot see.
-    Error error = changed.error();
+    Error error = changed ? loaded.error() : changed.error();
     error.line = error.column = 0;
     return tl::unexpected(error);
   }
   changed->text = std::move(text);
+  changed->path = document.path;
+  changed->files = document.files;
   return changed;
 }
 

@@ -282,6 +282,36 @@ TEST_CASE("drawn rays, and each of several samples, are formed again as they wer
   }
 }
 
+TEST_CASE("what began at a light, or was scattered inside a body, is not formed again from the eye") {
+  const auto count_unseen = [](Scene scene, const auto& is_meant) {
+    scene.camera.screen.cells = 5;
+    Hits hits(scene, Precision::double_);
+    const auto& rays = hits.timeline->rays();
+    int met = 0;
+    for (const RayRecord& ray : rays) {
+      if (!ray.formed || ray.kind == RayKind::shadow || ray.ending != Ending::hit || !is_meant(rays, ray)) continue;
+      const auto seen = hits.microscope.look(hits.timeline, ray.found_at, hits.scene, hits.precision);
+      CHECK((!seen || &rays[static_cast<std::size_t>(seen->ray)] != &ray));  // but one that led to it
+      ++met;
+    }
+    return met;
+  };
+  const auto ancestor = [](const auto& rays, const RayRecord& ray, const auto& is) {
+    for (int each = ray.parent; each >= 0; each = rays[static_cast<std::size_t>(each)].parent)
+      if (is(rays[static_cast<std::size_t>(each)])) return true;
+    return false;
+  };
+  Scene caustic = scene_of("caustic");
+  caustic.render.integrator = Integrator::photons;
+  CHECK(count_unseen(caustic, [&](const auto& rays, const RayRecord& ray) {
+          const auto is_first = [](const RayRecord& each) { return each.parent < 0 && each.kind != RayKind::primary; };
+          return is_first(ray) || ancestor(rays, ray, is_first);
+        }) > 0);
+  CHECK(count_unseen(scene_of("milk"), [&](const auto& rays, const RayRecord& ray) {
+          return ancestor(rays, ray, [](const RayRecord& each) { return each.ending == Ending::scattered; });
+        }) > 0);
+}
+
 TEST_CASE("moving and transformed surfaces are seen where they are") {
   for (const std::string name : {"motion_blur", "hard/mirrored_transform", "mesh"})
     for (const Precision precision : {Precision::float_, Precision::double_}) {

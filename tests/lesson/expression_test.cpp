@@ -89,6 +89,9 @@ TEST_CASE("what is no formula is refused at its place") {
   CHECK(value_of("'Ball") == "unread: \"'Ball\": found \"'Ball\" at character 1 (expected a closing quote)");
   CHECK(value_of(std::string(5000, '(')).starts_with("unread: "));
   CHECK(value_of(std::string(5000, '-') + "1").starts_with("unread: "));
+  std::string sum = "1";
+  for (int i = 0; i < 300'000; ++i) sum += "+1";
+  CHECK_THAT(value_of(sum), test::contains("unread: a formula of 600001 characters (expected at most 4096)"));
   CHECK(value_of("who + 1") == "wrong: a text and a number do not go together in this sum or product");
   CHECK(value_of("who < 1") == "wrong: a text is compared with a number");
   CHECK(value_of("sqrt(v)") == "wrong: sqrt takes one number");

@@ -1,6 +1,7 @@
 // Lessons that are right, and lessons that say what is not so.
 #include "lesson/check.h"
 #include "lesson/script.h"
+#include "lesson/staging.h"
 
 #include <filesystem>
 #include <fstream>
@@ -347,4 +348,26 @@ TEST_CASE("at least five lessons let students find a bug, each of another line o
     }
   }
   CHECK(count >= 5);
+}
+
+TEST_CASE("a changed scene keeps its meshes, its images and its sky") {
+  const std::string folder = std::string(RAYWALK_SOURCE_DIR) + "/scenes/";
+  for (const std::string name : {"gold", "maps", "mesh"}) {
+    CAPTURE(name);
+    const auto document = read_scene(folder + name + ".toml");
+    REQUIRE(document);
+    const auto changed = changed_scene(*document, "render.integrator = 'whitted'", {}, "somewhere/else.toml");
+    REQUIRE(changed);
+    Scene expected = document->scene;
+    expected.render.integrator = Integrator::whitted;
+    CHECK(changed->scene == expected);
+    CHECK(changed->path == document->path);
+    CHECK(changed->files == document->files);
+    const auto has_pixels = [](const Scene& scene) {
+      const auto* sky = scene.sky ? std::get_if<ImageSky>(&scene.sky->kind) : nullptr;
+      return sky != nullptr && sky->pixels != nullptr;
+    };
+    CHECK(has_pixels(changed->scene) == has_pixels(document->scene));
+    CHECK(has_pixels(changed->scene) == (name == "gold"));
+  }
 }
