@@ -4,8 +4,10 @@
 
 #if RAYWALK_CHECK
 #include "app/interrupt.h"
+#include "app/part_file.h"
 #include "app/progress_bar.h"
 #include "check/suite.h"
+#include "text/file.h"
 #include "text/spelling.h"
 
 #include <fmt/format.h>
@@ -60,6 +62,8 @@ ExitCode check_numerics_command(const CheckOptions& options) {
   suite.seed = options.seed;
   suite.threads = options.threads;
   suite.state = options.state.empty() && options.full ? default_state : options.state;
+  if (!suite.state.empty())
+    if (const auto program = read_file("/proc/self/exe", std::size_t{1} << 30)) suite.program = checksum(*program);
   const Interrupt interrupt(Patience::brief);
   suite.stop = interrupt.stop();
   Result<check::SuiteResult> result;

@@ -8,6 +8,7 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstring>
 #include <ctime>
 
 namespace raywalk {
@@ -21,7 +22,7 @@ Stopper signal_stopper;
 std::atomic<bool> waiting{false};  // an Interrupt exists
 std::atomic<bool> waiting_briefly{false};
 std::atomic<long> raised_at{0};  // milliseconds
-std::string_view last_word = "interrupted\n";
+std::atomic<const char*> last_word{"interrupted\n"};
 static_assert(std::atomic<long>::is_always_lock_free, "a signal handler may only touch lock-free atomics");
 
 long milliseconds_now() {
@@ -32,8 +33,9 @@ long milliseconds_now() {
 
 [[noreturn]] void leave() {
   remove_temporary_files();
+  const char* const word = last_word.load();
   // A failure cannot be reported.
-  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, last_word.data(), last_word.size());
+  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, word, std::strlen(word));
   _exit(1);
 }
 
@@ -56,7 +58,9 @@ extern "C" void on_signal(int /*signal*/) {
   errno = error;
 }
 
-extern "C" void out_of_patience(int /*signal*/) { leave(); }
+extern "C" void out_of_patience(int /*signal*/) {
+  if (waiting_briefly.load()) leave();
+}
 
 /// Interrupted system calls are restarted.
 void handle_signal(int signal, void (*handler)(int)) {
@@ -77,7 +81,7 @@ void end_at_signals() {
   }
 }
 
-Interrupt::Interrupt(Patience patience, std::string_view word) {
+Interrupt::Interrupt(Patience patience, const char* word) {
   signal_stopper.raised = false;
   last_word = word;
   if (patience == Patience::brief) handle_signal(SIGALRM, out_of_patience);

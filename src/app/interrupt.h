@@ -2,7 +2,6 @@
 
 #include "math/stop.h"
 
-#include <string_view>
 
 namespace raywalk {
 
@@ -21,7 +20,7 @@ enum class Patience {
 class Interrupt {
  public:
   /// `word`: printed when patience ends; must outlive this.
-  explicit Interrupt(Patience patience, std::string_view word = "interrupted\n");
+  explicit Interrupt(Patience patience, const char* word = "interrupted\n");
   ~Interrupt();
   Interrupt(const Interrupt&) = delete;
   Interrupt& operator=(const Interrupt&) = delete;

@@ -102,14 +102,29 @@ std::optional<Error> why_no_fault(const StepOptions& options, const Scene& scene
 /// More would fill about half a gigabyte.
 constexpr double max_steps = 1'000'000;
 
+/// About how many steps the first hits of all pixels take: each of a light's samples is two.
+double steps_of_first_hits(const StepOptions& options, const Scene& scene) {
+  double of_hit = 8;
+  if (!draws_random(integrator_of(scene, 1)))
+    for (const Light& light : scene.lights) of_hit += 2 * std::pow(light_grid_of(scene, light), 2);
+  return of_hit * (options.pixel ? 1 : scene.camera.screen.cells);
+}
+
 /// Records to the scene's depth. The tree of a pixel can double with every level, so a deep limit is approached in
 /// steps that cannot overshoot by much, and given up if the tree grows too large.
 Result<Timeline> record_within_reason(const StepOptions& options, const Scene& scene, ImageSize size) {
   constexpr int harmless_depth = 5;
   constexpr double worst_growth = 4;  // two rays, their shadow rays and the lines between, per ray of the previous
                                       // level
+  const double at_first = steps_of_first_hits(options, scene);
+  if (at_first > max_steps)
+    return tl::unexpected(
+        Error{options.scene, 0, 0,
+              fmt::format("the first hits alone take about {:.2g} steps (expected at most {:g})", at_first, max_steps),
+              "walk one pixel with --pixel, or take fewer samples of a light with light_grid"});
   Scene limited = scene;
-  limited.limits.depth = std::min(scene.limits.depth, harmless_depth);
+  const int feasible = 1 + static_cast<int>(std::log(max_steps / at_first) / std::log(worst_growth));
+  limited.limits.depth = std::min({scene.limits.depth, feasible, harmless_depth});
   for (;;) {
     Timeline timeline = record(options, limited, size);
     const bool cut_off = std::any_of(timeline.rays().begin(), timeline.rays().end(),

@@ -48,6 +48,13 @@ std::string command_text(const StudyCommandOptions& options) {
   return text + " -o DIR" + (options.quick ? " --quick" : "");
 }
 
+std::string expected_text(const study::Law& law) {
+  const std::string number = fmt::format("{:.4g}", law.expected);
+  if (law.kind == study::LawKind::at_most) return "<= " + number;
+  if (law.kind == study::LawKind::at_least) return ">= " + number;
+  return number;
+}
+
 std::string verdict_text(const study::StudyResult& result) {
   std::string text;
   for (const study::Concluded& c : result.concluded)
@@ -57,8 +64,8 @@ std::string verdict_text(const study::StudyResult& result) {
       const std::string reach = law.kind == study::LawKind::exact
                                     ? std::string("exact")
                                     : fmt::format("{:.4g} to {:.4g}", v.interval.low, v.interval.high);
-      text += fmt::format("{:<3} {:<13} {:<22} expected {:>9.4g}  measured {:>9.4g}  {:<22} {}\n", c.experiment.number,
-                          c.experiment.name, law.name, law.expected, law.measured.value, reach,
+      text += fmt::format("{:<3} {:<13} {:<22} expected {:>10}  measured {:>9.4g}  {:<22} {}\n", c.experiment.number,
+                          c.experiment.name, law.name, expected_text(law), law.measured.value, reach,
                           v.holds ? "holds" : "DOES NOT HOLD");
     }
   return text;
@@ -78,7 +85,8 @@ ExitCode study_command(const StudyCommandOptions& options) {
   }
   if (options.folder.empty())
     return refuse({"", 0, 0, "raywalk study: -o DIR is required", "name a folder for the results"});
-  study::StudyOptions to{options.folder,        effort,       options.threads, study::machine_text(),
+  study::StudyOptions to{options.folder,        effort,
+                         options.threads,       study::machine_text() + ", raywalk " RAYWALK_VERSION,
                          command_text(options), options.share};
   const Interrupt interrupt(Patience::brief,
                             "interrupted; what was measured is kept: the same command goes on from it\n");

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <filesystem>
 #include <optional>
+#include <system_error>
 #include <thread>
 
 namespace raywalk::check {
@@ -29,7 +30,11 @@ void in_parallel(std::uint64_t count, int threads, const std::function<void(std:
     for (std::uint64_t i = next++; i < count; i = next++) body(i);
   };
   std::vector<std::thread> helpers;
-  for (std::uint64_t i = 1; i < std::min(most, count); ++i) helpers.emplace_back(work);
+  try {
+    for (std::uint64_t i = 1; i < std::min(most, count); ++i) helpers.emplace_back(work);
+  } catch (const std::system_error&) {
+    // The system refuses more threads; those that there are do all of the work.
+  }
   work();
   for (std::thread& helper : helpers) helper.join();
 }

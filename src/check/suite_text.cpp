@@ -17,7 +17,8 @@ constexpr std::array counts{&Tally::rays,    &Tally::hits,       &Tally::missed,
 constexpr std::array errors{&Tally::exact_ulps, &Tally::fast_ulps, &Tally::fast_ulps_by_condition};
 
 std::string heading(const SuiteOptions& options) {
-  return fmt::format("raywalk numerics, {} rays a family, seed {}", options.rays, options.seed);
+  return fmt::format("raywalk numerics, {} rays a family, seed {}{}{}", options.rays, options.seed,
+                     options.program.empty() ? "" : ", program ", options.program);
 }
 
 std::string share(std::uint64_t part, std::uint64_t whole) {

@@ -19,7 +19,8 @@ bool moves_between(const Motion& motion, double open, double close) {
 
 Vec3d offset_at(const Motion& motion, double time) {
   if (motion.empty()) return Vec3d(0.0);
-  const auto next = std::find_if(motion.begin(), motion.end(), [&](const MotionKey& key) { return key.time > time; });
+  const auto next = std::upper_bound(motion.begin(), motion.end(), time,
+                                     [](double at, const MotionKey& key) { return at < key.time; });
   if (next == motion.begin()) return motion.front().offset;
   if (next == motion.end()) return motion.back().offset;
   const MotionKey &a = *(next - 1), &b = *next;

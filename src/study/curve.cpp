@@ -12,6 +12,10 @@ ErrorCurve::ErrorCurve(const std::vector<Trial>& trials, const std::string& meth
   std::map<double, std::vector<Trial>> by_knob;
   for (const Trial& trial : trials)
     if (trial.method == method) by_knob[trial.knob].push_back(trial);
+  // A knob that some rounds did not reach, or whose table has lost a line, can be compared with none.
+  std::size_t most = 0;
+  for (const auto& [knob, of_knob] : by_knob) most = std::max(most, of_knob.size());
+  std::erase_if(by_knob, [&](const auto& knob) { return knob.second.size() < most; });
   for (auto& [knob, of_knob] : by_knob) {
     std::stable_sort(of_knob.begin(), of_knob.end(), [](const Trial& a, const Trial& b) { return a.round < b.round; });
     knobs_.push_back(knob);

@@ -102,7 +102,7 @@ ExpectedByLight expected_of(Placing placing) {
   return {};
 }
 
-/// The penumbra as a strip, every pixel 8 wide and high.
+/// The penumbra as a strip, every pixel 12 wide and high.
 Image strip(const std::function<double(int column, int row)>& at) {
   constexpr int zoom = 12;
   Image image{image_columns * zoom, image_rows * zoom, {}};

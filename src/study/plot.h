@@ -17,7 +17,7 @@ struct PlotPoint {
 struct PlotSeries {
   std::string name;
   std::vector<PlotPoint> points;
-  /// The slope of the law, drawn through the middle of the points from `law_from` on: with both axes logarithmic the
+  /// The slope of the law, drawn through the middle of the later half of the points: with both axes logarithmic the
   /// exponent; with only y, the change of the natural logarithm.
   std::optional<double> law{};
   std::string law_name{};             ///< "N^-1/2"

@@ -28,7 +28,7 @@ struct Shot {
 /// width there.
 [[nodiscard]] Camera looking_down(double x, double y, double height, double half);
 
-/// Root of the mean squared difference of the pixels' red from `truth`, over those for which `counts` is true.
+/// The differences of all pixels' red from `truth`.
 struct Compared {
   double rms = 0;   ///< root of the mean squared difference
   double mean = 0;  ///< the mean difference

@@ -69,6 +69,10 @@ std::vector<Trial> kept_trials(const Experiment& experiment, const StudyOptions&
   return kept;
 }
 
+std::string figure_path(const Experiment& experiment, int number, const StudyOptions& options) {
+  return (fs::path(options.folder) / fmt::format("{}-{}.svg", experiment.name, number)).string();
+}
+
 Result<void> keep(const Experiment& experiment, const StudyOptions& options, std::vector<Trial>& trials) {
   std::stable_sort(trials.begin(), trials.end(), [](const Trial& a, const Trial& b) { return a.round < b.round; });
   return write_file_atomically(table_path(experiment, options),
@@ -126,14 +130,22 @@ Result<std::vector<Trial>> measured(const Experiment& experiment, const StudyOpt
       if (const auto kept = keep(experiment, options, trials); !kept) return tl::unexpected(kept.error());
     return trials;
   }
-  if (done.empty() && !stop.asked()) static_cast<void>(experiment.run(0, stop));  // a warm-up round, discarded
+  // A round that is cut off is discarded below.
+  const auto run = [&](int round) {
+    try {
+      return experiment.run(round, stop);
+    } catch (const Stopped&) {
+      return std::vector<Trial>();
+    }
+  };
+  if (done.empty() && !stop.asked()) static_cast<void>(run(0));  // a warm-up round, discarded
   const std::size_t at_a_time = static_cast<std::size_t>(options.threads > 0 ? options.threads : hardware_threads());
   for (std::size_t from = 0; from < left.size() && !stop.asked(); from += at_a_time) {
     const std::size_t count = std::min(at_a_time, left.size() - from);
     std::vector<std::vector<Trial>> found(count);
     parallel_for(static_cast<int>(count), static_cast<int>(count), [&](int index) {
       const auto i = static_cast<std::size_t>(index);
-      found[i] = experiment.run(left[from + i], stop);
+      found[i] = run(left[from + i]);
     });
     if (stop.asked()) break;  // the unfinished round is discarded
     for (const std::vector<Trial>& round : found) trials.insert(trials.end(), round.begin(), round.end());
@@ -198,9 +210,16 @@ Result<StudyResult> run_study(const std::vector<Experiment>& experiments, const 
   if (const auto made = make_folder(options.folder); !made) return tl::unexpected(made.error());
   const auto page = (fs::path(options.folder) / "index.html").string();
   if (const auto own = check_own(page, page_title); !own) return tl::unexpected(own.error());
-  for (const Experiment& experiment : experiments)
+  for (const Experiment& experiment : experiments) {
     if (const auto own = check_own(table_path(experiment, options), "# raywalk study " + experiment.name); !own)
       return tl::unexpected(own.error());
+    constexpr int most_figures = 9;
+    for (int figure = 1; figure <= most_figures; ++figure)
+      if (const auto own = check_own(figure_path(experiment, figure, options),
+                                     "' role='img'>\n<title>");
+          !own)
+        return tl::unexpected(own.error());
+  }
   if (!options.share)
     if (const auto claimed = claim_output(page); !claimed) return tl::unexpected(claimed.error());
   for (const Experiment& experiment : experiments)
@@ -219,8 +238,8 @@ Result<StudyResult> run_study(const std::vector<Experiment>& experiments, const 
     if (options.share) continue;
     Concluded concluded{experiment, experiment.conclude(*trials), {}};
     for (std::size_t i = 0; i < concluded.report.figures.size(); ++i) {
-      const fs::path path = fs::path(options.folder) / fmt::format("{}-{}.svg", experiment.name, i + 1);
-      const auto written = write_file_atomically(path.string(), svg_of(concluded.report.figures[i].plot));
+      const auto written = write_file_atomically(figure_path(experiment, static_cast<int>(i) + 1, options),
+                                                 svg_of(concluded.report.figures[i].plot));
       if (!written) return tl::unexpected(written.error());
     }
     laws.insert(laws.end(), concluded.report.laws.begin(), concluded.report.laws.end());

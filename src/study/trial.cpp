@@ -66,7 +66,7 @@ std::vector<Trial> trials_of(std::string_view csv, const Columns& columns, const
     csv.remove_prefix(end + 1);
     Trial t;
     double round = 0;
-    if (!read(line, round)) return {};
+    if (!read(line, round) || !(round >= 0 && round < 1e9) || round != std::floor(round)) return {};
     t.round = static_cast<int>(round);
     t.method = next_word(line);
     const bool understood = read(line, t.knob) && read(line, t.error) && read(line, t.other) &&

@@ -167,6 +167,7 @@ void Workbench::forget_reference(int depth) {
   depth_ = depth;
   passes_ = 0;
   floor_ = 0;
+  for (Attempt& attempt : attempts_) attempt.error = 0;
   reference_ = {};
   halves_[0].clear();
   halves_[1].clear();

@@ -160,6 +160,19 @@ TEST_CASE("a walk without end is refused, a deep one with an end is not") {
   CHECK_THAT(deep.out, contains("[300]") && !contains("[301]"));
 }
 
+TEST_CASE("lights of so many samples that one hit fills the memory are refused") {
+  const Folder folder;
+  std::string scene = "[camera]\neye = [0, 0]\nlook_at = [1, 0]\nfov = 45\n[render]\nlight_grid = 256\n";
+  for (int i = 0; i < 4; ++i)
+    scene +=
+        "[[light]]\nname = \"L" + std::to_string(i) + "\"\ntype = \"sphere\"\nposition = [0, 3, 3]\nradius = 0.5\n";
+  folder.write("lights.toml", scene + "[[object]]\nname = \"B\"\ntype = \"sphere\"\ncentre = [4, 0]\nradius = 1\n");
+  const Outcome strip = folder.run({"step", "lights.toml", "--integrator", "whitted"});
+  CHECK(strip.exit_code == 1);
+  CHECK(strip.out == "");
+  CHECK_THAT(strip.err, contains("the first hits alone take about 1.1e+07 steps") && contains("light_grid"));
+}
+
 TEST_CASE("a pixel that is not there is wrong use") {
   const Folder folder;
   const auto refused = [&](const std::vector<std::string>& words, const std::string& said) {

@@ -74,7 +74,7 @@ TEST_CASE("parts of a study, measured apart, are the study") {
 TEST_CASE("study replaces nothing that no study wrote") {
   const Folder folder;
   std::filesystem::create_directory(folder / "results");
-  for (const std::string name : {"index.html", "depth.csv"}) {
+  for (const std::string name : {"index.html", "depth.csv", "depth-1.svg"}) {
     folder.write("results/" + name, "mine");
     const Outcome outcome = folder.run({"study", "depth", "-o", "results", "--quick"});
     CHECK(outcome.exit_code == 1);
@@ -87,8 +87,11 @@ TEST_CASE("study replaces nothing that no study wrote") {
 }
 
 TEST_CASE("Ctrl-C leaves a study that goes on") {
+  // The second is stopped inside of a path, by several threads.
+  const std::string name = GENERATE("adaptive", "scattering");
   const Folder folder;
-  Process process(raywalk_program(), {"study", "adaptive", "-o", "results", "--threads", "1"}, folder.path());
+  Process process(raywalk_program(), {"study", name, "-o", "results", "--threads", name == "adaptive" ? "1" : "2"},
+                  folder.path());
   process.wait_until_busy_and_catching(SIGINT);
   process.send(SIGINT);
   const Outcome outcome = process.wait();

@@ -108,6 +108,11 @@ TEST_CASE("a run goes on from its state file, and refuses another run's") {
   REQUIRE_FALSE(other);
   CHECK_THAT(other.error().text(), contains("seed 2"));
   options.seed = 1;
+  options.program = "built later";
+  const auto rebuilt = run_suite({counted}, options);
+  REQUIRE_FALSE(rebuilt);
+  CHECK_THAT(rebuilt.error().text(), contains("program built later"));
+  options.program.clear();
   REQUIRE(write_file_atomically(options.state, state_text(options, {}) + "toy\tleft\tfloat\t1\t2\n"));
   const auto damaged = run_suite({counted}, options);
   REQUIRE_FALSE(damaged);

@@ -189,5 +189,8 @@ TEST_CASE("tables keep every bit, and what is not understood is not taken") {
   CHECK(trials_of(csv, columns, "# other\n").empty());
   CHECK(trials_of(csv, {"knob", "error", "another"}, "# head\n").empty());
   CHECK(trials_of(csv.substr(0, csv.size() - 3), columns, "# head\n").empty());
+  for (const std::string round : {"-1", "0.5", "nan", "1e300"})
+    CHECK(trials_of(csv + round + ",d,1,0,0,0,0,0,0,0\n", columns, "# head\n").empty());
+  CHECK(trials_of(csv + "5,d,1,0,0,0,0,0,0,0\n", columns, "# head\n").size() == 3);
   CHECK(trials_of(csv + "5,d,x,0,0,0,0,0,0,0\n", columns, "# head\n").empty());
 }
