@@ -130,6 +130,21 @@ TEST_CASE("a link has the mode, the tab, the language, the theme, the walked pix
   CHECK(other.picture.settings == settings);
 }
 
+TEST_CASE("a link that tells no scene shows the one that is open as it says") {
+  State state = elsewhere();
+  const Scene before = state.scene();
+  REQUIRE_FALSE(before.objects.empty());
+  update(state, action::OpenLink{"#v=1/theme=projector/mode=step/step=7"});
+  CHECK(state.scene() == before);
+  CHECK(state.appearance.theme == Theme::projector);
+  CHECK(state.walk.position == 7);
+  // That of a scene with nothing in it is told.
+  Link empty;
+  empty.sum = scene_sum(Scene{});
+  update(state, action::OpenLink{write_link(empty)});
+  CHECK(state.scene() == Scene{});
+}
+
 TEST_CASE("every step of every lesson has a link, of at most 2,000 letters, that opens it elsewhere") {
   State state = state_with_lessons();
   std::size_t longest = 0, lesson = 0;

@@ -22,7 +22,8 @@ namespace raywalk {
 inline constexpr std::size_t max_link = 8000;  ///< letters from the # on: some programs cut longer addresses
 
 struct Link {
-  // The scene: a lesson's, a bug's, or else a shipped one, or one that begins with nothing.
+  // The scene: a lesson's, a bug's, or else a shipped one, or one that begins with nothing; or that which is open,
+  // where nothing is told.
   std::string lesson{};  ///< by the name of its folder
   int lesson_step = 1;
   int bug = 0;                         ///< its number, from 1; 0: none
@@ -44,6 +45,9 @@ struct Link {
   std::string language{};  ///< its code
   std::optional<Theme> theme{};
 
+  [[nodiscard]] bool tells_scene() const {
+    return !lesson.empty() || bug > 0 || !scene.empty() || !changes.empty() || sum.has_value();
+  }
   friend bool operator==(const Link&, const Link&) = default;
 };
 

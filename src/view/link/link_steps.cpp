@@ -117,7 +117,7 @@ Result<Link> scene_link(const State& state) {
     link.changes = beginning->changes;
     base = &beginning->scene;
   }
-  if (!link.changes.empty()) link.sum = scene_sum(base->scene);
+  if (!link.changes.empty() || !link.tells_scene()) link.sum = scene_sum(base->scene);
   return link;
 }
 
@@ -185,7 +185,7 @@ Result<std::string> open_scene_of(State& state, const Link& link) {
     if (!changed) return tl::unexpected(changed.error());
     if (!link.changes.empty()) commit(state, std::move(changed->scene));
     name = state.lessons.open->lesson.told(language).title;
-  } else {
+  } else if (link.tells_scene()) {
     auto linked = linked_scene(link, shipped_path(state, link.scene));
     if (!linked) return tl::unexpected(linked.error());
     sum = linked->sum;
