@@ -15,18 +15,17 @@ namespace raywalk {
 
 namespace {
 
-void list(const Ui& ui, const LessonPanel& panel) {
+// `is_new`: just come to, so that the lesson to go on with is scrolled into view.
+void list(const Ui& ui, const LessonPanel& panel, bool is_new) {
   const Shades shades(ui.state.appearance.theme);
   int number = 0;
-  bool found = false;  // the one to continue with
   for (const LessonRow& row : panel.rows) {
-    const bool next = !found && !row.locked && row.done < row.steps;
-    found = found || next;
     std::string title = fmt::format("{}  {}", ++number, row.title);
     if (row.done > 0) title += row.done == row.steps ? "  \u2713" : fmt::format("  {}/{}", row.done, row.steps);
-    const Colour ink = row.locked ? ui.colours.dim_text : next ? shades.on_accent : ui.colours.text;
-    if (wide_button(ui, "lesson/" + row.name, title, next ? shades.accent : shades.raised, ink, true))
+    const Colour ink = row.locked ? ui.colours.dim_text : row.next ? shades.on_accent : ui.colours.text;
+    if (wide_button(ui, "lesson/" + row.name, title, row.next ? shades.accent : shades.raised, ink, true))
       ui.act(action::OpenLesson{row.name});
+    if (is_new && row.next) ImGui::SetScrollHereY(0.35f);
     if (row.locked) tooltip(ui, "lesson/" + row.name, ui.say("lesson.locked"));
   }
   ImGui::Dummy({1, ui.px(6)});
@@ -145,9 +144,9 @@ void answer(const Ui& ui, const LessonPanel& panel) {
             (panel.is_right ? "\u2713 " : "\u2717 ") + panel.verdict);
   ui.publish("lesson-verdict");
   if (!panel.hands.empty()) heading(ui, ui.colours.text, panel.hands);
-  if (!panel.verdict.empty()) {
+  if (!panel.verdict.empty() || !panel.unanswered.empty()) {
     push_font(ui.fonts.small);
-    paragraph(ui.colours.dim_text, panel.score);
+    paragraph(ui.colours.dim_text, panel.verdict.empty() ? panel.unanswered : panel.score);
     pop_font();
   }
   if (!panel.reveal.empty()) prose(ui, ui.colours.text, panel.reveal);
@@ -240,7 +239,8 @@ void LessonPane::question(const Ui& ui, const LessonPanel& panel, bool is_new, b
   if (panel.astray &&
       button(ui, "lesson-question", ui.say("lesson.back_to_question"), "", wide, {.look = Look::primary}))
     ui.act(action::GoToLessonStep{panel.step - 1});
-  if (panel.asks == Asks::number) number(ui, panel, is_new);
+  // Nothing was typed, and nothing can be any more: an empty field would ask for it.
+  if (panel.asks == Asks::number && panel.unanswered.empty()) number(ui, panel, is_new);
 }
 
 void LessonPane::draw(const Ui& ui, const Rect& where) {
@@ -283,7 +283,7 @@ void LessonPane::draw(const Ui& ui, const Rect& where) {
         command_button(ui, command("bug-mend"), {ImGui::GetContentRegionAvail().x, height});
       if (!alone) notes(ui, panel);
     } else {
-      list(ui, panel);
+      list(ui, panel, is_new);
     }
     ui.publish("lesson-lines", close_edges(ui, ui.colours.panel));
   }

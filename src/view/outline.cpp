@@ -106,7 +106,7 @@ class Outliner {
     if (!panel.change.empty()) paragraphs(region, "change", say("lesson.change") + ": " + panel.change);
     paragraphs(region, "presenter", panel.presenter);
     paragraphs(region, "teacher", panel.teacher);
-    add(region, Role::text, "score", panel.score);
+    add(region, Role::text, "score", panel.unanswered.empty() ? panel.score : panel.unanswered);
     if (panel.astray) button(region, "return", say("lesson.back_to_question"), action::GoToLessonStep{panel.step - 1});
     if (panel.asks != Asks::nothing && !state_.lessons.revealed) {
       button(region, "answer", say("lesson.reveal"), action::RevealLesson{}, panel.can_reveal);
@@ -306,8 +306,9 @@ class Outliner {
   void lessons(const LessonPanel& panel) {
     OutlineItem& region = open("lesson", say("lesson.lessons"));
     for (const LessonRow& row : panel.rows)
-      button(region, row.name, fmt::format("{}, {} / {}", row.title, row.done, row.steps), action::OpenLesson{row.name},
-             !row.locked);
+      button(region, row.name,
+             fmt::format("{}, {} / {}", row.title, row.done, row.steps) + (row.next ? ", " + say("lesson.go_on") : ""),
+             action::OpenLesson{row.name}, !row.locked);
     const LessonRoom& sitting = state_.lessons;
     button(region, "unlock", say("lesson.unlock"),
            action::SetLessonOptions{sitting.presenter, !sitting.unlocked, !sitting.notes})

@@ -110,6 +110,51 @@ TEST_CASE("a presenter counts hands by digits and by buttons") {
   CHECK_FALSE(bench.has("hand-more/1"));
 }
 
+TEST_CASE("after the last step of a lesson the list shows the next one") {
+  Bench bench(with_lessons());
+  bench.resize(1280, 720);
+  update(bench.state, action::ShowLessons{true});
+  update(bench.state, action::SetLessonOptions{false, true});
+  bench.frames(3);
+  const auto in_sight = [&](const std::string& item) {
+    const Rect lines = bench.rect("lesson-lines"), where = bench.rect(item);
+    return where.y >= lines.y && where.bottom() <= lines.bottom();
+  };
+  const std::string last = "lesson/" + bench.state.lessons.list.back().name;
+  CHECK(in_sight("lesson/" + bench.state.lessons.list.front().name));
+  CHECK_FALSE(in_sight(last));
+  const LessonEntry& entry = bench.state.lessons.list[bench.state.lessons.list.size() - 2];
+  const std::string name = entry.name;
+  for (int step = 0; step <= entry.steps; ++step) {
+    if (step == 0) update(bench.state, action::OpenLesson{name});
+    update(bench.state, action::GoToLessonStep{step});
+    bench.frames(1);
+  }
+  REQUIRE(bench.state.lessons.at() == nullptr);
+  bench.frames(3);
+  CHECK(in_sight(last));
+}
+
+TEST_CASE("a number that nobody typed has no field once the answer is shown") {
+  Bench bench(with_lessons());
+  bench.resize(1280, 720);
+  update(bench.state, action::ShowLessons{true});
+  update(bench.state, action::SetLessonOptions{false, true});
+  update(bench.state, action::OpenLesson{"18-rays-with-width"});
+  update(bench.state, action::GoToLessonStep{1});
+  bench.frames(2);
+  REQUIRE(bench.has("lesson-number"));
+  update(bench.state, action::RevealLesson{});
+  bench.frames(2);
+  CHECK_FALSE(bench.has("lesson-number"));
+  // A typed one stays beside the answer.
+  update(bench.state, action::GoToLessonStep{1});
+  update(bench.state, action::GuessNumber{0.5});
+  update(bench.state, action::RevealLesson{});
+  bench.frames(2);
+  CHECK(bench.has("lesson-number"));
+}
+
 TEST_CASE("everything of a lesson fits into its pane, in both languages") {
   for (const float scale : {1.0f, 1.5f}) {
     Bench bench(with_lessons());

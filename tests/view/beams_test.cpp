@@ -236,3 +236,59 @@ TEST_CASE("in space a cone has a round rim, and so has what each thing covers of
   REQUIRE_FALSE(faces().empty());
   for (const PolygonItem& face : faces()) CHECK(face.points.size() == 24);
 }
+
+TEST_CASE("where a curved mirror decides, some rays are drawn as it reflects them, and backwards") {
+  State state = beam_state();
+  const Timeline& timeline = *state.walk.timeline;
+  const Scene& scene = state.scene();
+  int balls = 0, others = 0;
+  for (int at = 1; at <= timeline.steps(); ++at) {
+    const Event& event = timeline.event(at - 1);
+    if (event.line != Line::if_flat_mirror) continue;
+    const RayRecord& part = timeline.rays()[static_cast<std::size_t>(timeline.part_of(timeline.current_ray(at)))];
+    update(state, action::Jump{at});
+    const Colour reflect = ray_style(state.appearance.theme, RayKind::reflect).colour;
+    const double unit = Sizes(state).unit;
+    const DashPattern dashes{{4 * unit, 2.5 * unit}, 2};
+    std::vector<LineItem> away, back;
+    for (const DisplayItem& item : plan_view(state))
+      if (const auto* line = std::get_if<LineItem>(&item.shape);
+          line != nullptr && !(item.target.kind == TargetKind::ray))
+        if (line->stroke.dash == dashes)
+          back.push_back(*line);
+        else if (line->stroke.colour == reflect)
+          away.push_back(*line);
+    const auto* ball = part.object < 0
+                           ? nullptr
+                           : std::get_if<Sphere<double>>(&scene.objects[static_cast<std::size_t>(part.object)].shape);
+    if (ball == nullptr) {
+      CHECK(away.empty());
+      ++others;
+      continue;
+    }
+    CAPTURE(at);
+    ++balls;
+    REQUIRE(away.size() == back.size());
+    REQUIRE(away.size() > 3);
+    const Vec2d middle = to_pixels(state, plan(ball->centre)), eye = to_pixels(state, plan(part.origin));
+    for (const LineItem& line : away) {
+      // As far from the normal on the one side as EYE on the other.
+      const Vec2d normal = (line.from - middle) / length(line.from - middle), goes = line.to - line.from;
+      const Vec2d came = eye - line.from;
+      CHECK(cross(normal, goes) / length(goes) == Approx(-cross(normal, came) / length(came)).margin(2e-3));
+      CHECK(dot(normal, goes) > 0);
+    }
+    // The first two cross elsewhere than the last two.
+    const auto crossing = [](const LineItem& a, const LineItem& b) {
+      const Vec2d u = a.to - a.from, v = b.to - b.from;
+      return a.from + cross(b.from - a.from, v) / cross(u, v) * u;
+    };
+    CHECK(length(crossing(back[0], back[1]) - crossing(back[back.size() - 2], back.back())) > 3);
+    update(state, action::Jump{at - 1});
+    for (const DisplayItem& item : plan_view(state))
+      if (const auto* line = std::get_if<LineItem>(&item.shape))
+        CHECK(std::find(back.begin(), back.end(), *line) == back.end());
+  }
+  CHECK(balls > 0);
+  CHECK(others > 0);
+}

@@ -70,6 +70,54 @@ TEST_CASE("a locked lesson opens when the one before is done, or when a teacher 
   CHECK_FALSE(lesson_panel(state).rows[12].locked);
 }
 
+TEST_CASE("the list marks the lesson to go on with: the open one, or what comes after the one just finished") {
+  State state = with_lessons();
+  update(state, action::SetLessonOptions{false, true});
+  const auto marked = [&] {
+    std::vector<std::string> names;
+    for (const LessonRow& row : lesson_panel(state).rows)
+      if (row.next) names.push_back(row.name);
+    return names;
+  };
+  const std::vector<LessonEntry> list = state.lessons.list;
+  using Names = std::vector<std::string>;
+  CHECK(marked() == Names{list[0].name});
+  // Left before its end.
+  update(state, action::OpenLesson{list[2].name});
+  update(state, action::GoToLessonStep{1});
+  update(state, action::LeaveLesson{});
+  CHECK(marked() == Names{list[2].name});
+  // Finished, although the first ones are not.
+  update(state, action::OpenLesson{list[2].name});
+  for (int step = 1; step <= list[2].steps; ++step) update(state, action::GoToLessonStep{step});
+  REQUIRE(state.lessons.at() == nullptr);
+  CHECK(marked() == Names{list[3].name});
+  // After the last one, the first that is left; once all are done, none.
+  state.lessons.last = list.back().name;
+  state.lessons.done[list.back().name] = list.back().steps;
+  CHECK(marked() == Names{list[0].name});
+  for (const LessonEntry& entry : list) state.lessons.done[entry.name] = entry.steps;
+  CHECK(marked().empty());
+}
+
+TEST_CASE("an answer shown without a prediction says that it does not count, but not to a presenter") {
+  State state = with_lessons();
+  update(state, action::SetLessonOptions{false, true});
+  update(state, action::OpenLesson{state.lessons.list[0].name});
+  go_to_question(state, Asks::choice);
+  CHECK(lesson_panel(state).unanswered.empty());
+  State guessed = state, presented = state;
+  update(state, action::RevealLesson{});
+  CHECK_THAT(lesson_panel(state).unanswered, test::contains("not counted"));
+  CHECK(lesson_panel(state).score.empty());
+  update(guessed, action::GuessChoice{0});
+  update(guessed, action::RevealLesson{});
+  CHECK(lesson_panel(guessed).unanswered.empty());
+  update(presented, action::SetLessonOptions{true, true});
+  update(presented, action::RevealLesson{});
+  CHECK(lesson_panel(presented).unanswered.empty());
+}
+
 TEST_CASE("a question holds a student until it is answered, and shows then where its line leads") {
   State state = with_lessons();
   update(state, action::OpenLesson{state.lessons.list[0].name});

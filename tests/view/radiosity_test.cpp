@@ -6,6 +6,7 @@
 #include "fixtures.h"
 #include "support/catch.h"
 #include "trace/patches.h"
+#include "view/legend/legend.h"
 #include "view/plan/plan_geometry.h"
 #include "view/text/text.h"
 #include "view/walk/code_panel.h"
@@ -110,4 +111,31 @@ TEST_CASE("both procedures are shown, and every row has its text") {
   CHECK(panel.boxes[0].rows.size() + panel.boxes[1].rows.size() == radiosity_pseudocode.size());
   CHECK(std::any_of(panel.boxes[1].rows.begin(), panel.boxes[1].rows.end(),
                     [](const CodeRow& row) { return row.just_run; }));
+}
+
+TEST_CASE("a ring marks the patch that shoots, and a dashed one the patch that the line speaks of") {
+  State state = room();
+  const Timeline& timeline = *state.walk.timeline;
+  const auto rings = [&](int patch, bool dashed) {
+    const Edge edge = (*timeline.patches())[patch].edge();
+    const Vec2d middle = to_pixels(state.plan.camera, state.plan.viewport, 0.5 * (edge.a + edge.b));
+    const DisplayList list = plan_view(state);
+    return std::count_if(list.begin(), list.end(), [&](const DisplayItem& item) {
+      const auto* circle = std::get_if<CircleItem>(&item.shape);
+      return circle != nullptr && circle->stroke && (circle->stroke->dash.count > 0) == dashed &&
+             length(circle->centre - middle) < 8;
+    });
+  };
+  const int in_front = position_after<PatchInFront>(timeline);
+  const int shooter = std::get<PatchTaken>(timeline.event(position_after<PatchTaken>(timeline) - 1).detail).patch;
+  const int receiver = std::get<PatchInFront>(timeline.event(in_front - 1).detail).patch;
+  // As long as the lines speak of this pair.
+  for (int at = in_front; at < in_front + 3; ++at) {
+    update(state, action::Jump{at});
+    CHECK(rings(shooter, false) == 1);
+    CHECK(rings(receiver, true) == 1);
+  }
+  update(state, action::Jump{in_front - 1});
+  CHECK(rings(receiver, true) == 0);
+  CHECK_THAT(legend(state).signs.back().meaning, contains("dashed ring"));
 }

@@ -24,7 +24,7 @@ std::optional<Vec2d> place_in_question(const State& state) {
 
 void zoom_back(State& state) {
   if (!state.focus.zoomed) return;
-  state.plan.camera = state.focus.zoomed->own;
+  if (!state.plan.camera.fitted) state.plan.camera = state.focus.zoomed->own;
   state.focus.zoomed.reset();
   refit(state);
 }
@@ -40,7 +40,8 @@ void FocusRoom::follow(State& state, const Before&) {
   // Once there, the plan can be zoomed and moved by hand.
   if (zoomed && zoomed->viewport == state.plan.viewport && zoomed->step == state.lessons.step) return;
   constexpr double larger = 2.5;
-  zoomed = {zoomed ? zoomed->own : state.plan.camera, state.plan.viewport, state.lessons.step};
+  zoomed = {zoomed && !state.plan.camera.fitted ? zoomed->own : state.plan.camera, state.plan.viewport,
+            state.lessons.step};
   state.plan.camera = {*place, larger * fitted(state).pixels_per_unit, false};
 }
 

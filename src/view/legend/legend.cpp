@@ -45,6 +45,7 @@ Legend legend(const State& state) {
   if (std::any_of(scene.objects.begin(), scene.objects.end(), has_lobe))
     legend.signs.push_back({"-<", str(state, "legend.sign_lobe")});
   if (scene.sky) legend.signs.push_back({"( )", str(state, "legend.sign_ring")});
+  if (state.walk.timeline->of_radiosity()) legend.signs.push_back({"( )", str(state, "legend.sign_patches")});
   return legend;
 }
 

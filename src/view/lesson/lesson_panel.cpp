@@ -78,6 +78,13 @@ std::vector<LessonRow> lesson_rows(const LessonRoom& sitting, Language language)
     before_done = row.done == row.steps;
     rows.push_back(std::move(row));
   }
+  // The lesson that was open last, or the first one after it that is not finished.
+  const auto open = [](const LessonRow& row) { return !row.locked && row.done < row.steps; };
+  const auto last =
+      std::find_if(rows.begin(), rows.end(), [&](const LessonRow& row) { return row.name == sitting.last; });
+  auto next = std::find_if(last == rows.end() ? rows.begin() : last, rows.end(), open);
+  if (next == rows.end()) next = std::find_if(rows.begin(), rows.end(), open);
+  if (next != rows.end()) next->next = true;
   return rows;
 }
 
@@ -177,6 +184,7 @@ LessonPanel lesson_panel(const State& state) {
     if (answered && hands > 0) panel.hands = fill("lesson.hands", language, {{"right", hands_right}, {"all", hands}});
     if (number != nullptr) panel.unit = number->unit;
     const std::optional<LessonVerdict> verdict = judge(sitting);
+    if (sitting.revealed && !verdict && !sitting.presenter) panel.unanswered = word("lesson.unanswered");
     panel.can_reveal = !sitting.revealed && (verdict || sitting.unlocked || sitting.presenter);
     if (sitting.revealed && verdict) {
       panel.is_right = verdict->right;

@@ -13,6 +13,7 @@ struct LessonRow {
   std::string name, title;
   int done = 0, steps = 0;
   bool locked = false;
+  bool next = false;  ///< to go on with
 };
 struct LessonChoice {
   std::string text;
@@ -42,6 +43,7 @@ struct LessonPanel {
   std::string time;                ///< of a presentation, at the end of this step; empty for students
   std::string notes, sources;      ///< of the whole lesson: for presenters, at its end
   std::string hands;               ///< a class's choices; empty without a show of hands
+  std::string unanswered;          ///< after the answer: that nothing was predicted
   std::string score;               ///< of this session; empty before the first prediction
   bool astray = false;             ///< a question waits at another position, or in another scene
   bool can_reveal = false, can_go_on = false, can_go_back = false, is_last = false;

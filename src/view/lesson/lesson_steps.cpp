@@ -147,6 +147,7 @@ void begin_lesson_at(State& state, const std::string& name, std::optional<int> w
     sitting.own = std::make_shared<const OwnScene>(OwnScene{saved_document(state), state.document.path, mode});
   }
   sitting.open = opened;
+  sitting.last = name;
   const auto done = sitting.done.find(name);
   const int steps = static_cast<int>(opened->played.steps.size());
   sitting.step = done == sitting.done.end() || done->second >= steps ? 0 : done->second;
@@ -220,10 +221,11 @@ void action::GoToLessonStep::apply(State& state) const {
   done = std::max(done, std::min(step, panel.steps));
   write_progress(state);
   if (step >= panel.steps) return LeaveLesson{}.apply(state);
-  const bool goes_back = step < sitting.step;
+  const bool jumps = step < sitting.step || step > sitting.step + 1;
   sitting.step = step;
-  if (goes_back) show_as_left(state);
+  if (jumps) show_as_left(state);
   stage(state);
+  FitView{}.apply(state);  // a step speaks of the whole, wherever the one before it was looked at closely
 }
 
 void action::GuessChoice::apply(State& state) const {

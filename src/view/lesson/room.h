@@ -151,6 +151,7 @@ struct LessonRoom {
   bool shown = false;
   std::vector<LessonEntry> list;  ///< read when lessons are first shown
   std::shared_ptr<const OpenedLesson> open;
+  std::string last;                     ///< the name of the lesson that is or was open; empty: none yet
   std::shared_ptr<const OwnScene> own;  ///< restored when the lesson is left; null: none
   int step = 0;                         ///< of `open`
   int first_pixel = 0;                  ///< of the strip: rays of earlier pixels are hidden

@@ -37,6 +37,8 @@ class BeamPainter {
                          : part_ >= 0                                             ? ray(part_).parent
                                                                                   : -1;
     if (mirrored >= 0 && ray(mirrored).parent >= 0 && state_.legend.shows(RayKind::beam)) draw_backwards(mirrored);
+    if (part_ >= 0 && part_ < count && decides_on_reflection() && state_.legend.shows(RayKind::reflect))
+      draw_reflected(beam(part_).area);
     if (part_ >= 0 && part_ < count && state_.legend.shows(RayKind::beam) && beam(part_).added_at > shown_.position)
       note_coverage(part_);
   }
@@ -156,6 +158,51 @@ class BeamPainter {
     painter_.add_clipped({painter_.pixels(first), apex, dashed});
     painter_.add_clipped({painter_.pixels(last), apex, dashed});
     painter_.add(CircleItem{apex, 5 * painter_.sizes.unit, std::nullopt, painter_.stroke(style_.colour, 1.6)});
+  }
+
+  /// The line just run decides whether what the part sees, which reflects, reflects it as a beam or by one ray.
+  [[nodiscard]] bool decides_on_reflection() const {
+    if (!timeline_.of_beams() || shown_.position == 0) return false;
+    const Event& event = timeline_.event(shown_.position - 1);
+    if (event.line != Line::if_flat_mirror && event.line != Line::if_curved_or_glass) return false;
+    const auto* decided = std::get_if<Decided>(&event.detail);
+    return decided != nullptr && !is_black(decided->weight) && decided->holds == (event.line != Line::if_flat_mirror);
+  }
+
+  /// Some rays of a part as a curved surface reflects them, and backwards from there, where they do not meet in one
+  /// point.
+  void draw_reflected(const BeamArea& area) {
+    constexpr int some = 6;
+    const auto last = static_cast<int>(area.ends.size()) - 1;
+    const Colour colour = ray_style(state_.appearance.theme, RayKind::reflect).colour;
+    const Stroke stroke = painter_.stroke(colour, 1.1);
+    // Mostly on the body, which may be of any colour.
+    const auto apart = [body = colour_of(part_)](Colour ink) {
+      return std::abs(ink.r - body.r) + std::abs(ink.g - body.g) + std::abs(ink.b - body.b);
+    };
+    const Colour text = painter_.colours.text, ground = painter_.colours.plan;
+    Stroke dashed = painter_.stroke(apart(text) > apart(ground) ? text : ground, 1.1);
+    dashed.dash = painter_.scaled({{4, 2.5}, 2});
+    const int rays = std::min(some, last - 1);
+    for (int ray = 0; ray < rays; ++ray) {
+      const auto i = static_cast<std::size_t>(rays == 1 ? 1 : 1 + ray * (last - 2) / (rays - 1));
+      const Vec2d at = plan(area.ends[i]), before = plan(area.ends[i - 1]) - at, after = plan(area.ends[i + 1]) - at;
+      // From the point to the middle of the circle through it and its neighbours.
+      const double across = 2 * cross(before, after);
+      if (!(std::abs(across) > 1e-9 * length(before) * length(after))) return;
+      const Vec2d to_middle =
+          (dot(before, before) * Vec2d(after.y, -after.x) - dot(after, after) * Vec2d(before.y, -before.x)) / across;
+      const Vec2d normal = to_middle / length(to_middle), came = at - plan(area.starts[i]);
+      const Vec2d goes = came / length(came) - 2 * dot(came, normal) / length(came) * normal;
+      const double far = painter_.viewport.width + painter_.viewport.height;
+      const Vec2d from = painter_.pixels(at), along = painter_.pixels(at + goes) - from;
+      draw_line(from, from + far / length(along) * along, stroke, true);
+      const Vec2d back = painter_.pixels(at - 1.3 * length(to_middle) * goes);
+      painter_.add_clipped({from, back, dashed});
+      // The name of the body would lie just there.
+      painter_.unnamed.push_back(
+          {{std::min(from.x, back.x), std::min(from.y, back.y)}, {std::max(from.x, back.x), std::max(from.y, back.y)}});
+    }
   }
 
   void note_coverage(int index) {

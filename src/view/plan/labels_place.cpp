@@ -211,6 +211,8 @@ class Places {
     for (const double gap : {16 * near, 22 * near, 30 * near})
       for (const NameLines& letters : letterings_)
         if (!is_shown(thing_, best_shown_)) beside(letters, gap * unit_, (0.1 + 0.006 * gap) * area_, true);
+    for (const NameLines& letters : letterings_)
+      if (!is_shown(thing_, best_shown_)) anywhere(letters);
     return is_shown(thing_, best_) || !is_shown(thing_, best_shown_) ? best_ : best_shown_;
   }
 
@@ -396,6 +398,20 @@ class Places {
             thing_.body ? 0.1 : 0);
   }
 
+  /// Wherever in the pane there is room, at the end of a leader line.
+  void anywhere(const NameLines& letters) {
+    const Vec2d low = painter_.pane().min + letters.half + 2 * unit_,
+                high = painter_.pane().max - letters.half - 2 * unit_;
+    if (low.x > high.x || low.y > high.y) return;
+    constexpr int columns = 16, rows = 12;
+    for (int row = 0; row <= rows; ++row)
+      for (int column = 0; column <= columns; ++column) {
+        const Vec2d at = low + Vec2d((high.x - low.x) * column / columns, (high.y - low.y) * row / rows);
+        const double away = apart(box_of(at, letters.half), box_of(thing_.at, thing_.half)) / unit_;
+        consider({at, letters}, (0.1 + 0.006 * away) * area_, true);
+      }
+  }
+
   const Painter& painter_;
   const std::vector<DrawnBody>& bodies_;
   const RayCover& rays_;
@@ -493,16 +509,23 @@ std::vector<LabelPlace> place_labels(const Painter& painter, const std::vector<D
   std::vector<LabelPlace> best = placed(order);
   // Those that found no room come earlier, unless that leaves out as many: of a few, each name counts.
   constexpr std::size_t few = 12;
-  constexpr int tries = 4;
+  constexpr int tries = 8;
   const auto is_left_out = [&](const std::vector<LabelPlace>& places) {
     return [&](std::size_t i) { return !is_shown(things[i], places[i]); };
   };
-  auto left_out = std::count_if(order.begin(), order.end(), is_left_out(best));
+  // EYE, SCREEN and lights are spoken of most.
+  const auto lack_of = [&](const std::vector<LabelPlace>& places) {
+    std::size_t lack = 0;
+    for (std::size_t i = 0; i < things.size(); ++i)
+      if (!is_shown(things[i], places[i])) lack += things[i].body ? 1 : few;
+    return lack;
+  };
+  std::size_t left_out = lack_of(best);
   std::vector<LabelPlace> last = best;
   for (int i = 0; i < tries && left_out > 0 && things.size() <= few; ++i) {
     std::stable_partition(order.begin(), order.end(), is_left_out(last));
     last = placed(order);
-    const auto now = std::count_if(order.begin(), order.end(), is_left_out(last));
+    const std::size_t now = lack_of(last);
     if (now < left_out) best = last, left_out = now;
   }
   return best;

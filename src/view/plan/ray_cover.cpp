@@ -37,13 +37,21 @@ double RayCover::of(const PixelRect& box) const {
 }
 
 void RayCover::add(const Painter& painter, const RayRecord& ray, double times) {
-  const std::optional<RayWay> way = ray.formed ? ray_way(painter, ray, true) : std::nullopt;
-  if (!way) return;
-  const Vec2d to = painter.seen_end(way->from, way->to);
+  if (ray.beam >= 0 && painter.state.walk.timeline->of_beams()) {
+    const BeamArea& area = painter.state.walk.timeline->beams()[static_cast<std::size_t>(ray.beam)].area;
+    for (const std::size_t side : {std::size_t{0}, area.starts.size() - 1})
+      add(painter, painter.pixels(plan(area.starts[side])), painter.pixels(plan(area.ends[side])), times);
+    return;
+  }
+  if (const auto way = ray.formed ? ray_way(painter, ray, true) : std::nullopt) add(painter, way->from, way->to, times);
+}
+
+void RayCover::add(const Painter& painter, const Vec2d& from, const Vec2d& end, double times) {
+  const Vec2d to = painter.seen_end(from, end);
   constexpr double most = 1000;
-  const auto steps = static_cast<int>(std::min(length(to - way->from) / cell_, most)) + 1;
+  const auto steps = static_cast<int>(std::min(length(to - from) / cell_, most)) + 1;
   for (int i = 0; i < steps; ++i) {
-    const Vec2d place = (way->from + (i + 0.5) / steps * (to - way->from)) / cell_;
+    const Vec2d place = (from + (i + 0.5) / steps * (to - from)) / cell_;
     if (place.x >= 0 && place.y >= 0 && place.x < static_cast<double>(columns_) && place.y < static_cast<double>(rows_))
       at(static_cast<std::size_t>(place.x) + 1, static_cast<std::size_t>(place.y) + 1) += times;
   }

@@ -21,6 +21,7 @@ class RayCover {
   [[nodiscard]] double& at(std::size_t column, std::size_t row) { return sums_[row * (columns_ + 1) + column]; }
   [[nodiscard]] double at(std::size_t column, std::size_t row) const { return sums_[row * (columns_ + 1) + column]; }
   void add(const Painter& painter, const RayRecord& ray, double times);
+  void add(const Painter& painter, const Vec2d& from, const Vec2d& end, double times);
 
   double cell_, pixels_ = 1;
   std::size_t columns_ = 0, rows_ = 0;

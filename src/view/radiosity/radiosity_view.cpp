@@ -72,13 +72,9 @@ class PatchPainter {
                                 Vec2d(std::max(from.x, to.x), std::max(from.y, to.y)) + half});
   }
 
-  void draw_shooter(int i) {
-    const Strip strip = strip_of(painter_, patches_[i]);
-    const double unit = painter_.sizes.unit;
-    painter_.add(LineItem{.from = strip.a, .to = strip.b, .stroke = {painter_.colours.selected, 5 * unit}});
-    painter_.add(CircleItem{strip.middle() + 4 * unit * strip.out, 7 * unit, std::nullopt,
-                            painter_.stroke(painter_.colours.selected, 2)});
-  }
+  void draw_shooter(int i) { draw_ringed(i, 7); }
+  /// The one whose light arrives, or is asked for: ringed with dashes.
+  void draw_receiver(int i) { draw_ringed(i, 10, {{4, 3}, 2}); }
 
   void draw_strings(const FormFactorFound& found) {
     const auto string = [&](const Vec2d& from, const Vec2d& to, Colour colour, DashPattern dash, double width) {
@@ -101,6 +97,14 @@ class PatchPainter {
   [[nodiscard]] int count() const { return patches_.size(); }
 
  private:
+  void draw_ringed(int i, double radius, const DashPattern& dash = {}) {
+    const Strip strip = strip_of(painter_, patches_[i]);
+    const double unit = painter_.sizes.unit;
+    painter_.add(LineItem{.from = strip.a, .to = strip.b, .stroke = {painter_.colours.selected, 5 * unit}});
+    Stroke stroke = painter_.stroke(painter_.colours.selected, 2);
+    stroke.dash = painter_.scaled(dash);
+    painter_.add(CircleItem{strip.middle() + 4 * unit * strip.out, radius * unit, std::nullopt, stroke});
+  }
   [[nodiscard]] double power(int i) const { return power(i, lights_); }
   [[nodiscard]] double power(int i, const std::vector<PatchLight>& lights) const {
     if (lights.empty()) return 0;
@@ -128,6 +132,15 @@ int shooter_at(const Timeline& timeline, int position) {
   return -1;
 }
 
+/// The patch that the line just run speaks of as the receiver; -1: none.
+int receiver_at(const Timeline& timeline, int position) {
+  const EventDetail& detail = timeline.event(position - 1).detail;
+  if (const auto* in_front = std::get_if<PatchInFront>(&detail)) return in_front->patch;
+  if (const auto* found = std::get_if<FormFactorFound>(&detail)) return found->to;
+  if (const auto* arrived = std::get_if<LightArrived>(&detail)) return arrived->patch;
+  return -1;
+}
+
 }  // namespace
 
 void RadiosityRoom::draw_in_plan(Painter& painter) {
@@ -139,6 +152,7 @@ void RadiosityRoom::draw_in_plan(Painter& painter) {
     for (int i = 0; i < patches.count(); ++i) patches.draw_patch(i);
     for (int i = 0; i < patches.count(); ++i) patches.draw_unshot(i);
     if (const int shooter = shooter_at(timeline, position); shooter >= 0) patches.draw_shooter(shooter);
+    if (const int receiver = receiver_at(timeline, position); receiver >= 0) patches.draw_receiver(receiver);
     // The strings stay while what arrives is added.
     for (int back = 0; back < 2 && position - back > 0; ++back)
       if (const auto* found = std::get_if<FormFactorFound>(&timeline.event(position - 1 - back).detail))
