@@ -27,7 +27,12 @@ bool LiveCosts::work(const State& state, double milliseconds, const Stop& stop) 
     return !rests(state);
   }
   const std::vector<study::Setup>& wanted = state.cost.tried;
-  const bool forgotten = wanted.size() < shown_.tried.size();
+  const auto& had = bench_.attempts();
+  const auto is_wanted = [](const study::Attempt& attempt, const study::Setup& setup) {
+    return attempt.setup == setup;
+  };
+  // Cleared, and maybe others tried since.
+  const bool forgotten = had.size() > wanted.size() || !std::equal(had.begin(), had.end(), wanted.begin(), is_wanted);
   if (!begun_ || scene_revision_ != state.document.revision || forgotten) {
     const ImageSize size = cost_size(state.scene().image);
     bench_.reset(state.scene(), size, wanted);

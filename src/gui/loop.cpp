@@ -13,6 +13,7 @@
 #include "gui/structure_workers.h"
 #include "gui/style.h"
 #include "text/file.h"
+#include "view/document/document.h"
 #include "view/outline.h"
 
 #include <algorithm>
@@ -89,9 +90,10 @@ class Loop::Parts {
     for (const KeyPress& key : window_.take_keys()) press(key);
     if (window_.take_key_release()) let_go();
     if (window_.take_close_request()) act(action::Quit{});
-    if (!window_.minimised()) {
+    if (!broken_ && !window_.minimised()) {
       work_on_structures();
       if (frames_due_ > 0 && structures_.patience() == 0) frame(nullptr);
+      if (broken_) return false;
       work_on_image();
       work_on_costs();
       work_on_export();
@@ -102,7 +104,7 @@ class Loop::Parts {
   }
 
   Result<void> end() {
-    if (wants_picture() && settled()) return take_picture();
+    if (wants_picture() && !broken_ && settled()) return take_picture();
     if (wants_picture() && failure_)
       return tl::unexpected(Error{options_.screenshot_path, 0, 0,
                                   "not written: the window was closed before its picture was whole",
@@ -120,6 +122,7 @@ class Loop::Parts {
   }
 
   void act(const Action& action) {
+    if (broken_) return;
     frames_due_ = frames_to_settle;
     const std::optional<std::string> file = file_read_by(state_, action);
     const std::optional<State> before = file ? std::optional(state_) : std::nullopt;
@@ -139,13 +142,19 @@ class Loop::Parts {
       }
     } catch (const Stopped&) {
       if (!cancelled) {
-        // Closed during a change. Earlier changes are in the autosave.
+        // Closed during a change. What was changed is kept for the next start; nothing else is asked of this state.
+        autosave(state_, autosave_every);
+        broken_ = true;
         state_.document.quit = true;
         return;
       }
     }
     if (cancelled) {
+      // The autosave may be gone, with its name.
+      std::string autosave_file = std::move(state_.document.autosave_file);
       state_ = *before;
+      state_.document.autosave_file = std::move(autosave_file);
+      state_.document.autosaved_revision = 0;
       state_.document.notice =
           Notice{Notice::Kind::info, fill("notice.reading_cancelled", state_.appearance.language, {{"file", *file}})};
     }
@@ -249,7 +258,7 @@ class Loop::Parts {
 
   // One key press holds STEP once: if a breakpoint ends that, the key must be released first.
   void press(const KeyPress& key) {
-    if (key.repeated && key_holds_) return;
+    if (broken_ || (key.repeated && key_holds_)) return;
     if (film_) {
       if (key.key == "Escape") finish_film();
       return;
@@ -482,6 +491,7 @@ class Loop::Parts {
   float styled_unit_ = 0;
   Theme styled_theme_ = Theme::dark;
   int frames_due_ = frames_to_settle, frames_drawn_ = 0;
+  bool broken_ = false;     ///< closed during a change: the state may be between two others
   bool key_holds_ = false;  ///< STEP or BACK
   int copies_ = 0;          ///< that are in the clipboard
   double first_frame_ = 0, notice_seen_ = 0, tooltip_in_ = -1;

@@ -413,16 +413,23 @@ Outline outline(const State& state) {
 Result<Action> outlined_action(const State& state, std::string_view does, std::string_view typed) {
   const std::size_t gap = does.find("{}");
   if (gap == std::string_view::npos) return parse_action(does);
+  const auto refused = [&](std::string_view why) {
+    return tl::unexpected(Error{{}, 0, 0, fill(why, state.appearance.language), {}});
+  };
   std::string value(typed);
-  if (does.starts_with("guess-number")) {
+  if (does.starts_with("ink-type")) {
+    if (value.empty()) return Action(action::TypeInk{});  // what was written is taken back
+  } else if (does.starts_with("open") || does.starts_with("save") || does.starts_with("export")) {
+    if (value.empty()) return refused("outline.no_path");
+  } else if (does.starts_with("guess-number")) {
     const auto guess = typed_guess(state.lessons, typed);
-    value = guess ? fmt::format("{}", *guess) : "";
-  } else if (!does.starts_with("ink-type") && !does.starts_with("open") && !does.starts_with("save") &&
-             !does.starts_with("export")) {
+    if (!guess) return refused("lesson.not_a_number");
+    value = fmt::format("{}", *guess);
+  } else {
     const std::vector<double> meant = typed_numbers(typed);
-    value = meant.empty() ? "" : fmt::format("{}", meant.front());
+    if (meant.empty()) return refused("lesson.not_a_number");
+    value = fmt::format("{}", meant.front());
   }
-  if (value.empty()) return tl::unexpected(Error{{}, 0, 0, fill("lesson.not_a_number", state.appearance.language), {}});
   return parse_action(std::string(does.substr(0, gap)) + value + std::string(does.substr(gap + 2)));
 }
 

@@ -98,3 +98,16 @@ TEST_CASE("tries go on here when the worker is lost") {
   CHECK_FALSE(costs.waits(state));
   CHECK(!costs.bench().attempts().front().image.pixels.empty());
 }
+
+TEST_CASE("tries that took the place of as many others are made anew") {
+  State state = with_tries();
+  NoWorkers none;
+  LiveCosts costs(none);
+  work(costs, state);
+  for (study::Setup& setup : state.cost.tried) setup.depth = 1;
+  costs.work(state, 30);
+  work(costs, state);
+  REQUIRE(costs.bench().attempts().size() == state.cost.tried.size());
+  for (std::size_t i = 0; i < state.cost.tried.size(); ++i)
+    CHECK(costs.bench().attempts()[i].setup == state.cost.tried[i]);
+}

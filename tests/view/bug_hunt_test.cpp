@@ -346,3 +346,22 @@ TEST_CASE("a surprise is a bug that is not found yet, and its number is not told
   update(state, action::ShowCure{});
   CHECK(bug_panel(state).heading == "Bug 6");
 }
+
+TEST_CASE("what is chosen and copied during a hunt stays when it is left") {
+  State state = hunting(1);
+  update(state, action::SetTweens{true});
+  update(state, action::SetTouch{true});
+  update(state, action::SetEnglishCode{true});
+  update(state, action::SetTab{TreeRoom::tab});
+  update(state, action::CopyLink{});
+  const int copies = state.link.copies;
+  const std::string copied = state.link.copied;
+  REQUIRE_FALSE(copied.empty());
+  update(state, action::LeaveHunt{});
+  CHECK(state.walk.tweens);
+  CHECK(state.appearance.touch);
+  CHECK(state.appearance.english_code);
+  CHECK(state.appearance.tab == PictureRoom::tab);  // as before the hunt
+  CHECK(state.link.copies == copies);
+  CHECK(state.link.copied == copied);
+}

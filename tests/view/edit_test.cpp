@@ -298,3 +298,64 @@ TEST_CASE("a deep scene of two facing mirrors is recorded as far as it is long, 
   CHECK(bush.walk.timeline->steps() < 4000000);
   CHECK(broken_promise(bush) == "");
 }
+
+TEST_CASE("undo and redo keep the same thing selected, wherever it then stands") {
+  State state = busy_state();
+  const auto selected = [&] {
+    const Target& target = state.plan.selected;
+    const auto index = static_cast<std::size_t>(target.index);
+    if (target.kind == TargetKind::light) return state.scene().lights[index].name;
+    return target.kind == TargetKind::nothing ? std::string() : state.scene().objects[index].name;
+  };
+  SECTION("an object after one that was removed") {
+    update(state, action::Select{{TargetKind::object, 0}});
+    update(state, action::RemoveSelected{});
+    update(state, action::Select{{TargetKind::object, 1}});
+    REQUIRE(selected() == "Notch");
+    update(state, action::Undo{});
+    CHECK(selected() == "Notch");
+    update(state, action::Redo{});
+    CHECK(selected() == "Notch");
+  }
+  SECTION("a light") {
+    update(state, action::Select{{TargetKind::light, 0}});
+    update(state, action::RemoveSelected{});
+    update(state, action::Select{{TargetKind::light, 0}});
+    update(state, action::Undo{});
+    CHECK(selected() == "Sun");
+  }
+  SECTION("one that is renamed") {
+    update(state, action::Rename{{TargetKind::object, 1}, "Ball"});
+    update(state, action::Select{{TargetKind::object, 1}});
+    update(state, action::Undo{});
+    CHECK(selected() == "Glass");
+  }
+  SECTION("nothing, once it is gone") {
+    update(state, action::Select{{TargetKind::object, 0}});
+    update(state, action::RemoveSelected{});
+    update(state, action::Undo{});
+    update(state, action::Select{{TargetKind::object, 0}});
+    update(state, action::Redo{});
+    CHECK(selected().empty());
+  }
+  SECTION("a corner, or its polygon where that has other corners") {
+    update(state, action::InsertCorner{2, 0, Vec2d(3.3, -2.1)});
+    update(state, action::Select{{TargetKind::corner, 2, 3}});
+    update(state, action::Nudge{{1, 0}});
+    update(state, action::Undo{});
+    CHECK(state.plan.selected == Target{TargetKind::corner, 2, 3});
+    update(state, action::Undo{});
+    CHECK(state.plan.selected == Target{TargetKind::object, 2});
+  }
+  CHECK(broken_promise(state) == "");
+}
+
+TEST_CASE("undo takes back what the pointer was on, which may have moved away") {
+  State state = busy_state();
+  update(state, action::Select{{TargetKind::object, 0}});
+  update(state, action::Nudge{{1, 0}});
+  update(state, action::PointerMoved{pixels_of(state, {TargetKind::object, 0})});
+  REQUIRE(state.plan.hovered.kind != TargetKind::nothing);
+  update(state, action::Undo{});
+  CHECK(state.plan.hovered == Target{});
+}

@@ -314,3 +314,19 @@ TEST_CASE("Help makes way for a scene that is opened") {
   update(state, action::Open{std::string(RAYWALK_SOURCE_DIR) + "/scenes/glass.toml"});
   CHECK(state.walk.mode == Mode::move);
 }
+
+TEST_CASE("what waited for a path is dropped where the window is closed instead, and that is cancelled") {
+  const TemporaryFolder folder;
+  State state = busy_state();
+  make_dirty(state);
+  const Scene scene = state.scene();
+  update(state, action::New{});
+  update(state, action::AnswerQuestion{Answer::save});
+  REQUIRE(state.document.prompt == PathPrompt::save_as);
+  update(state, action::Quit{});
+  update(state, action::AnswerQuestion{Answer::cancel});
+  CHECK(state.document.prompt == PathPrompt::none);
+  update(state, action::SaveAs{folder.file("mine.toml")});
+  CHECK(state.scene() == scene);
+  CHECK(state.document.path == folder.file("mine.toml"));
+}

@@ -114,3 +114,18 @@ TEST_CASE("a step shows beside the plan what the steps before it left there, als
   update(state, action::GoToLessonStep{2});
   CHECK(state.appearance.tab == StackRoom::tab);
 }
+
+TEST_CASE("a scene without objects comes back too") {
+  SceneDocument bare = read_scene(root + "/scenes/classic.toml").value();
+  bare.scene.objects.clear();
+  bare.scene.title = "Bare";
+  State state = make_state(bare, "bare.toml");
+  state.lessons.folder = root + "/lessons";
+  state.lessons.scenes_folder = root + "/scenes";
+  update(state, action::ShowLessons{true});
+  update(state, action::OpenLesson{state.lessons.list[0].name});
+  REQUIRE(state.lessons.at() != nullptr);
+  update(state, action::LeaveLesson{});
+  CHECK(state.scene() == bare.scene);
+  CHECK(state.document.path == "bare.toml");
+}

@@ -13,6 +13,7 @@
 #include "support/catch.h"
 #include "support/languages.h"
 #include "view/action.h"
+#include "view/plan/painter.h"
 #include "view/plan/plan_view.h"
 
 using namespace raywalk;
@@ -451,4 +452,84 @@ TEST_CASE("a changed scene of a bug is restored with the answer") {
   CHECK(fault_at_work(state) == Fault::reflection_flipped);
   CHECK(state.walk.bug->known);
   CHECK(lesson_panel(state).is_right);
+}
+
+TEST_CASE("an answer is shown in the walk that was asked about, wherever a student has walked meanwhile") {
+  State state = with_lessons();
+  update(state, action::SetLessonOptions{true, false});
+  update(state, action::OpenLesson{state.lessons.list[0].name});
+  go_to_question(state, Asks::choice);
+  update(state, action::ShowHands{1, 3});
+  update(state, action::GuessChoice{0});
+  const Timeline& asked = state.lessons.at()->walk->timeline;
+  SECTION("a pixel of the picture") { update(state, action::WalkPixel{0, 0, {4, 3}}); }
+  SECTION("single precision") {
+    ImageSettings settings = state.picture.settings;
+    settings.single_precision = true;
+    update(state, action::SetImageSettings{settings});
+  }
+  SECTION("several samples") {
+    ImageSettings settings = state.picture.settings;
+    settings.walk_samples = 2;
+    update(state, action::SetImageSettings{settings});
+  }
+  SECTION("a changed scene") { make_dirty(state); }
+  CHECK_FALSE(question_waits(state));
+  update(state, action::RevealLesson{});
+  CHECK(state.lessons.revealed);
+  CHECK(is_staged(state));
+  CHECK(state.walk.timeline->steps() == asked.steps());
+  CHECK(state.walk.position == state.lessons.at()->shown);
+  CHECK(state.lessons.guess.choice == 0);
+  REQUIRE(lesson_panel(state).choices.size() > 1);
+  CHECK(lesson_panel(state).choices[1].hands == 3);
+}
+
+TEST_CASE("two windows keep what either has finished") {
+  const test::TemporaryFolder folder;
+  State first = with_lessons(folder.path()), second = with_lessons(folder.path());
+  update(first, action::OpenLesson{first.lessons.list[0].name});
+  update(first, action::GoToLessonStep{1});
+  update(second, action::SetLessonOptions{false, true});
+  update(second, action::OpenLesson{second.lessons.list[1].name});
+  update(second, action::GoToLessonStep{1});
+  const State later = with_lessons(folder.path());
+  CHECK(lesson_panel(later).rows[0].done == 1);
+  CHECK(lesson_panel(later).rows[1].done == 1);
+}
+
+TEST_CASE("a change of a lesson's scene that was walked on from is not offered for recovery") {
+  const test::TemporaryFolder folder;
+  State state = with_lessons(folder.path());
+  update(state, action::OpenLesson{state.lessons.list[0].name});
+  make_dirty(state);
+  update(state, action::Tick{1});
+  REQUIRE(std::filesystem::exists(folder.file("autosave.toml")));
+  update(state, action::GoToLessonStep{1});
+  CHECK_FALSE(state.document.dirty);
+  CHECK_FALSE(std::filesystem::exists(folder.file("autosave.toml")));
+}
+
+TEST_CASE("no step beyond a question is reached at once") {
+  State state = with_lessons();
+  update(state, action::OpenLesson{state.lessons.list[0].name});
+  REQUIRE(lesson_panel(state).can_go_on);
+  update(state, action::GoToLessonStep{99});
+  CHECK(state.lessons.at() != nullptr);
+  CHECK(state.lessons.step == 1);
+  CHECK(lesson_rows(state.lessons, test::in_english)[0].done == 1);
+  // A teacher may.
+  update(state, action::SetLessonOptions{false, true});
+  update(state, action::GoToLessonStep{3});
+  CHECK(state.lessons.step == 3);
+}
+
+TEST_CASE("beside closed lessons the rays of all pixels are shown again") {
+  State state = with_lessons();
+  update(state, action::SetLessonOptions{false, true});
+  update(state, action::OpenLesson{"01-ray-casting"});
+  go_to_question(state, Asks::number);
+  REQUIRE(rays_shown(state).first_pixel > 0);
+  update(state, action::ShowLessons{false});
+  CHECK(rays_shown(state).first_pixel == 0);
 }

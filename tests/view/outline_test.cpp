@@ -222,3 +222,13 @@ TEST_CASE("predictions are made by the outline") {
   CHECK(way);
   CHECK(end);
 }
+
+TEST_CASE("a field of words that is left empty asks for words, and ink takes them back") {
+  State state = classic_state();
+  for (const char* line : {"open {}", "save-as {}", "save-predictions {}", "export {}"})
+    CHECK(outlined_action(state, line, "").error().message == "Type the name of a file");
+  const auto nothing = outlined_action(state, "ink-type {}", "");
+  REQUIRE(nothing);
+  REQUIRE(nothing->as<action::TypeInk>() != nullptr);
+  CHECK(nothing->as<action::TypeInk>()->text.empty());
+}

@@ -153,3 +153,73 @@ TEST_CASE("an autosave that cannot be read is reported and harms nothing") {
   REQUIRE(state.document.notice);
   CHECK(state.document.notice->kind == Notice::Kind::error);
 }
+
+TEST_CASE("work is recovered out of the hunt and out of the lesson that a link has opened before the question") {
+  const TemporaryFolder folder;
+  State crashed = saved_state(folder);
+  make_dirty(crashed);
+  const Scene lost = crashed.scene();
+  update(crashed, action::Tick{1});
+
+  State next = make_state({busy_scene(), {}, {}}, {}, folder.file("state"));
+  next.lessons.folder = RAYWALK_SOURCE_DIR "/lessons";
+  next.lessons.scenes_folder = RAYWALK_SOURCE_DIR "/scenes";
+  restore_session(next);
+  // As the window starts: the link first, and then what an earlier sitting has left.
+  const auto asked = std::exchange(next.document.question, std::nullopt);
+  REQUIRE(asked);
+  SECTION("a hunt") {
+    update(next, action::ShowBugs{true});
+    update(next, action::HuntBug{1});
+    REQUIRE(next.bugs.hunt);
+  }
+  SECTION("a lesson") {
+    update(next, action::OpenLesson{"01-ray-casting", 0});
+    REQUIRE(next.lessons.open);
+  }
+  next.document.question = asked;
+  update(next, action::AnswerQuestion{Answer::recover});
+  CHECK_FALSE(next.bugs.hunt);
+  CHECK_FALSE(next.lessons.open);
+  CHECK(broken_promise(next) == "");
+  update(next, action::GoToLessonStep{1});
+  update(next, action::LeaveHunt{});
+  CHECK(next.scene() == lost);
+  CHECK(next.document.dirty);
+  CHECK(next.document.path == folder.file("scene.toml"));
+  // Its autosave is this session's now.
+  CHECK(std::filesystem::exists(folder.file("state/autosave.toml")));
+  update(next, action::Save{});
+  CHECK_FALSE(std::filesystem::exists(folder.file("state/autosave.toml")));
+}
+
+TEST_CASE("two windows that start together keep an autosave each") {
+  const TemporaryFolder folder;
+  const auto begun = [&](const std::string& name) {
+    State state = saved_state(folder, name);
+    restore_session(state);
+    REQUIRE_FALSE(state.document.question);
+    return state;
+  };
+  State first = begun("first.toml"), second = begun("second.toml");
+  make_dirty(first);
+  make_dirty(second);
+  update(first, action::Tick{1});
+  update(second, action::Tick{1});
+  const auto kept = [&](const std::string& name) {
+    const auto text = read_file(folder.file("state/" + name), 1 << 20);
+    return text ? text->substr(0, text->find('\n')) : std::string();
+  };
+  CHECK_THAT(kept("autosave.toml"), contains("first.toml"));
+  CHECK_THAT(kept("autosave-2.toml"), contains("second.toml"));
+  update(first, action::Undo{});
+  CHECK(kept("autosave.toml").empty());
+  CHECK_THAT(kept("autosave-2.toml"), contains("second.toml"));
+  // Nor is another's forgotten by who has none.
+  update(second, action::Save{});
+  make_dirty(first);
+  update(first, action::Tick{autosave_every + 1});
+  make_dirty(second);
+  update(second, action::Undo{});
+  CHECK_THAT(kept("autosave.toml"), contains("first.toml"));
+}

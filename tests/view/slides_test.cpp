@@ -13,6 +13,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <set>
+
 #include "support/catch.h"
 #include "support/languages.h"
 
@@ -154,4 +156,23 @@ TEST_CASE("a page grows with the number of its steps, not with their square") {
   };
   const std::size_t few = page_of(20), more = page_of(80), most = page_of(140);
   CHECK(static_cast<double>(most - more) < 1.2 * static_cast<double>(more - few));
+}
+
+TEST_CASE("every line that a page marks is on it, also where a walk has three procedures") {
+  Scene scene = read_document(std::string(RAYWALK_SOURCE_DIR) + "/scenes/caustic.toml").scene;
+  scene.render.photons.count = 300;
+  const auto timeline = std::make_shared<const Timeline>(record_cell(scene, 10));
+  REQUIRE(timeline->of_photons());
+  const std::string page = slides_page(scene, timeline, in_english);
+  const auto walk = walk_of(page);
+  std::set<int> marked;
+  for (const auto& step : walk.at("steps"))
+    for (const char* line : {"r", "n"}) marked.insert(step.at(line).get<int>());
+  marked.erase(-1);
+  REQUIRE(marked.size() > 10);
+  for (const int line : marked) {
+    const std::string id = "<li id=\"l" + std::to_string(line) + "\"";
+    CHECK_THAT(page, contains(id));
+    CHECK(page.find(id) == page.rfind(id));
+  }
 }

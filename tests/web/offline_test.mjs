@@ -84,7 +84,7 @@ test('a new version takes the place of the old one whole, once no page of the ol
   }
   assert.equal(await version_of(third), '0123456789abcdef');
   const caches_left = await third.evaluate(() => caches.keys());
-  assert.deepEqual(caches_left, ['raywalk 0123456789abcdef']);
+  assert.deepEqual(caches_left, [`raywalk ${address} 0123456789abcdef`]);
   await context.close();
 });
 

@@ -80,6 +80,27 @@ test('a scene that is dropped is opened with what it names, and asks before it d
   await visit.page.close();
 });
 
+test('what cannot be read any more when it is dropped is left out, and the page goes on', async () => {
+  const visit = await Visit.begin(browser, server.address);
+  const scene = readFileSync(join(process.env.RAYWALK_SOURCE_DIR, 'scenes/classic.toml'), 'utf8');
+  const drop = (...names) => visit.page.evaluate((names, scene) => {
+    const read = Blob.prototype.arrayBuffer;
+    Blob.prototype.arrayBuffer = function () {
+      return this.name?.startsWith('gone') ? Promise.reject(new DOMException('gone', 'NotReadableError')) : read.call(this);
+    };
+    const dataTransfer = new DataTransfer;
+    for (const name of names) dataTransfer.items.add(new File([scene], name));
+    document.getElementById('canvas').dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
+  }, names, scene);
+  await drop('gone.ply', 'here.toml');
+  await visit.until((now) => now.path === '/files/here.toml');
+  await drop('gone.toml');
+  await visit.until((now) => now.notice.includes('gone.toml'));
+  await visit.page.keyboard.press(' ');
+  await visit.until((now) => now.path === '/files/here.toml' && now.position === 1);
+  await visit.page.close();
+});
+
 test('a touch presses where it is', async () => {
   const visit = await Visit.begin(browser, server.address, { hasTouch: true });
   const [x, y, width, height] = (await visit.report()).items.step;

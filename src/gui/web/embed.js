@@ -7,9 +7,9 @@ class Embedding {
   static most_scene = 1 << 20;
 
   // `asked`: what stands behind ?embed=, the origin of the page around or nothing. `load_link`, `load_scene` and `go` do
-  // what is asked for; `load_scene` returns why not, if it does not.
+  // what is asked for; `load_scene` returns why not, if it does not, else what is kept once it has.
   constructor(asked, { load_link, load_scene, go }) {
-    Object.assign(this, { load_link, load_scene, go, before: null });
+    Object.assign(this, { load_link, load_scene, go, before: null, loading: true, loaded: true }); // its own link first
     this.origin = asked ? Embedding.origin_of(asked) : null;
     window.addEventListener('message', (event) => this.hear(event));
   }
@@ -39,8 +39,9 @@ class Embedding {
     if (message.raywalk !== Embedding.version) return `raywalk must be ${Embedding.version}, the version of these messages`;
     switch (message.do) {
       case 'load':
-        if (text(message.link, Embedding.most_link) && message.link.includes('#v=')) return void this.load_link(message.link);
-        if (text(message.scene, Embedding.most_scene)) return this.load_scene(message.scene);
+        if (text(message.link, Embedding.most_link) && message.link.includes('#v='))
+          return this.await_load(() => this.load_link(message.link));
+        if (text(message.scene, Embedding.most_scene)) return this.await_load(() => this.load_scene(message.scene));
         return 'load needs a link, "#v=1/...", or a scene, the text of a .toml';
       case 'go':
         if (Number.isInteger(message.step) && message.step >= 0 && message.step < 2 ** 31) return void this.go(message.step);
@@ -50,6 +51,16 @@ class Embedding {
       default:
         return 'do must be "load", "go" or "tell"';
     }
+  }
+
+  // Until it is loaded, and the student has answered what the program may ask first, its errors are of this load.
+  await_load(begin) {
+    const begun = begin();
+    if (typeof begun === 'string' && begun) return begun;
+    this.loading = true;
+    this.loaded = false;
+    Promise.resolve(begun).then(() => { this.loaded = true; });
+    return undefined;
   }
 
   // After a turn, with what the program says of itself (page_told of main.cpp).
@@ -64,6 +75,8 @@ class Embedding {
     const { lesson, lesson_step, lesson_steps } = before.moment;
     if (lesson && now.moment.lesson !== lesson && lesson_step === lesson_steps && now.done[lesson] >= lesson_steps)
       this.tell('finished', { lesson, right: now.right, judged: now.judged });
-    if (now.error && now.error !== before.error) this.tell('refused', { why: now.error });
+    // Others are about the student's own files, which are nobody else's business.
+    if (this.loading && now.error && now.error !== before.error) this.tell('refused', { why: now.error });
+    if (this.loaded && !now.asks) this.loading = this.loaded = false;
   }
 }

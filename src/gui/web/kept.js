@@ -4,7 +4,9 @@
 
 const version = 'VERSION';
 const files = [];
-const own = `raywalk ${version}`;
+// Caches are of the whole origin, which may hold this page in several places.
+const place = `raywalk ${registration.scope} `;
+const own = place + version;
 importScripts(version + '/unpack.js');
 
 // All of them or none: a page that was changed on its host meanwhile is not this version. The program is kept unpacked, for
@@ -24,9 +26,15 @@ async function keep() {
   }
 }
 
+// Earlier versions named theirs without a place: those that hold this page are its own.
+async function is_of_this_page(name) {
+  return name.startsWith(place) ||
+    (/^raywalk [0-9a-f]{16}$/.test(name) && await (await caches.open(name)).match(registration.scope) !== undefined);
+}
+
 async function forget_others() {
-  const names = await caches.keys();
-  await Promise.all(names.filter((name) => name.startsWith('raywalk ') && name !== own).map((name) => caches.delete(name)));
+  const forget = async (name) => name !== own && await is_of_this_page(name) && caches.delete(name);
+  await Promise.all((await caches.keys()).map(forget));
 }
 
 async function answer(request) {

@@ -133,6 +133,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_told() {
       {"made", state.predictions.made.size()},
       {"last_right", predicted && state.predictions.made.back().right},
       {"done", lessons.done},
+      {"asks", state.document.question.has_value()},
       {"error",
        state.document.notice && state.document.notice->kind == Notice::Kind::error ? state.document.notice->text : ""}};
   told = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);

@@ -17,7 +17,12 @@ EM_JS(int, raywalk_show_notes, (const char* html, int opens), {
   const tab = Module["notes"];
   if (!tab || tab.closed) return 0;
   const text = UTF8ToString(html);
-  if (Module["notesShown"] !== text || opens) tab.document.body.innerHTML = Module["notesShown"] = text;
+  try {
+    if (Module["notesShown"] !== text || opens) tab.document.body.innerHTML = Module["notesShown"] = text;
+  } catch (why) { // the user has gone elsewhere in it
+    Module["notes"] = null;
+    return 0;
+  }
   return 1;
 });
 EM_JS(void, raywalk_close_notes, (), { Module["notes"]?.close(); });

@@ -143,14 +143,22 @@ function all_files(folder = '/files') {
   });
 }
 
+// What cannot be read any more, since it was chosen or dropped, is not there: the program says so where it asks for it.
+const unreadable = (why) => { console.warn(why); return null; };
+
 async function take(files) {
   const paths = [];
   for (const { name, file } of files) {
     const parts = name.split('/').filter((part) => part && part !== '.' && part !== '..');
     const path = '/files/' + parts.join('/');
-    program.FS.mkdirTree(path.slice(0, path.lastIndexOf('/')));
-    program.FS.writeFile(path, new Uint8Array(await file.arrayBuffer()));
-    taken.set(path, stamp_of(path));
+    const bytes = await file?.arrayBuffer().catch(unreadable);
+    if (bytes) {
+      program.FS.mkdirTree(path.slice(0, path.lastIndexOf('/')));
+      program.FS.writeFile(path, new Uint8Array(bytes));
+      taken.set(path, stamp_of(path));
+    } else if (taken.delete(path)) {
+      program.FS.unlink(path);
+    }
     paths.push(path);
   }
   ++files_changed;
@@ -174,9 +182,10 @@ function download() {
 // The files of what was dropped, folders with all that they hold.
 async function dropped(entry, folder = '') {
   if (entry instanceof File) return [{ name: entry.name, file: entry }];
-  if (entry.isFile) return [{ name: folder + entry.name, file: await new Promise((...calls) => entry.file(...calls)) }];
+  const asked = (what) => new Promise(what).catch(unreadable);
+  if (entry.isFile) return [{ name: folder + entry.name, file: await asked((...calls) => entry.file(...calls)) }];
   const reader = entry.createReader(), within = [];
-  for (let some; (some = await new Promise((...calls) => reader.readEntries(...calls))).length > 0;) within.push(...some);
+  for (let some; (some = await asked((...calls) => reader.readEntries(...calls)))?.length > 0;) within.push(...some);
   return (await Promise.all(within.map((each) => dropped(each, folder + entry.name + '/')))).flat();
 }
 
@@ -370,8 +379,7 @@ const embedding = asked.has('embed') ? new Embedding(asked.get('embed'), {
   load_link: (link) => act('open-link ' + link.slice(link.indexOf('#')).replace(/[\n\r]/g, '')),
   load_scene: (text) => {
     const why = program.ccall('page_refuses', 'string', ['string'], [text]);
-    if (!why) take([{ name: 'embedded.toml', file: new Blob([text]) }]).catch(fail);
-    return why;
+    return why || take([{ name: 'embedded.toml', file: new Blob([text]) }]).catch(fail);
   },
   go: (step) => act('jump ' + step),
 }) : null;

@@ -24,7 +24,8 @@ function work(program, { bytes, files }) {
     program.FS.mkdirTree(path.slice(0, path.lastIndexOf('/')));
     program.FS.writeFile(path, content);
   }
-  program.HEAPU8.set(bytes, program._worker_room(bytes.length));
+  const room = program._worker_room(bytes.length); // may grow the memory: HEAPU8 is then another
+  program.HEAPU8.set(bytes, room);
   const size = program._worker_work();
   if (size === 0) return;
   const at = program._worker_answer();

@@ -178,11 +178,15 @@ void action::MendBug::apply(State& state) const {
 void action::LeaveHunt::apply(State& state) const {
   if (!state.bugs.hunt) return;
   State back = *state.bugs.hunt->before;
-  // Appearance and progress are kept.
-  back.appearance.theme = state.appearance.theme;
-  back.appearance.ui_scale = state.appearance.ui_scale;
+  // Appearance and progress are kept, but for what the hunt itself has opened.
+  const Tab tab = back.appearance.tab;
+  const Front front = back.appearance.front;
+  back.appearance = std::move(state.appearance);
+  back.appearance.tab = tab;
+  back.appearance.front = front;
   back.plan.viewport = state.plan.viewport;
-  back.appearance.language = state.appearance.language;
+  back.walk.tweens = state.walk.tweens;
+  back.link = std::move(state.link);
   back.bugs = std::move(state.bugs);
   back.bugs.hunt.reset();
   const bool autosaved = back.document.autosaved_revision == back.document.revision;

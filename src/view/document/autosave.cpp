@@ -25,6 +25,7 @@ constexpr std::string_view time_head = "# written on: ";  ///< its second line
 std::string file_in(const State& state, const char* name) {
   return (std::filesystem::path(state.document.state_dir) / name).string();
 }
+/// Of this session's autosave, which has a name.
 std::string autosave_path(const State& state) { return file_in(state, state.document.autosave_file.c_str()); }
 constexpr int max_autosaves = 99;
 /// The name of the autosave of this number, from 1 on.
@@ -75,6 +76,18 @@ void ask_to_recover(State& state) {
   }
   if (const auto line = head_line(*autosaved, next, time_head)) state.document.question->when = line->value;
 }
+/// Gives this session's autosave a name that no other one has: another window may have started with the same folder.
+void claim_autosave(State& state) {
+  if (!state.document.autosave_file.empty()) return;
+  std::error_code failed;
+  std::filesystem::create_directories(state.document.state_dir, failed);  // a failure shows on writing
+  for (int i = 1; i <= max_autosaves; ++i) {
+    state.document.autosave_file = autosave_name(i);
+    const Result<bool> made = make_new_file(autosave_path(state));
+    if (!made || *made) return;
+  }
+}
+
 std::string recent_path(const State& state) { return file_in(state, "recent.txt"); }
 
 Result<void> write_in_folder(const State& state, const std::string& path, const std::string& bytes) {
@@ -95,6 +108,14 @@ Result<void> write_autosave(const State& state) {
                              "\n" + written.value());
 }
 
+/// Removes this session's autosave, if there is one; the next is given a name anew.
+void remove_autosave(State& state) {
+  if (state.document.autosave_file.empty()) return;
+  std::error_code failed;  // if absent, nothing to remove
+  std::filesystem::remove(autosave_path(state), failed);
+  state.document.autosave_file.clear();
+}
+
 }  // namespace
 
 void autosave(State& state, double seconds) {
@@ -102,7 +123,10 @@ void autosave(State& state, double seconds) {
   if (!wants_autosave(state) || state.document.autosave_in > 0) return;
   state.document.autosave_in = autosave_every;
   state.document.autosaved_revision = state.document.revision;
+  const bool is_first = state.document.autosave_file.empty();
+  claim_autosave(state);
   const Result<void> written = write_autosave(state);
+  if (!written && is_first) remove_autosave(state);  // nothing but a name
   if (!written)
     complain(state, fill("notice.autosave_failed", state.appearance.language, {{"why", written.error().text()}}));
 }
@@ -110,9 +134,7 @@ void autosave(State& state, double seconds) {
 void forget_autosave(State& state) {
   if (state.bugs.hunt) return;  // it belongs to the suspended scene
   state.document.autosaved_revision = state.document.revision;
-  if (state.document.state_dir.empty()) return;
-  std::error_code failed;  // if absent, nothing to remove
-  std::filesystem::remove(autosave_path(state), failed);
+  if (!state.document.state_dir.empty()) remove_autosave(state);
 }
 
 void discard_autosave(State& state, const std::string& autosave) {
@@ -133,8 +155,10 @@ void recover(State& state, const std::string& original, const std::string& autos
     document->path = original;
   }
   const Result<SceneDocument> file = read_scene(original);
+  // A link may have opened a lesson or a hunt before this was asked.
+  action::LeaveHunt{}.apply(state);
+  show_another(state, std::move(*document), original);
   state.document.autosave_file = autosave;  // it holds this session's work now
-  show_document(state, std::move(*document), original);
   // Without a file to compare with, everything is unsaved.
   const bool changed = !file || file->scene != state.scene();
   if (changed) state.document.saved = file ? file->scene : Scene{};
@@ -167,12 +191,7 @@ void restore_session(State& state) {
     if (end > start) state.document.recent.push_back(recent->substr(start, end - start));
     start = end + 1;
   }
-  // An undecided autosave is never overwritten.
-  for (int i = 1; i <= max_autosaves; ++i) {
-    state.document.autosave_file = autosave_name(i);
-    std::error_code failed;
-    if (!std::filesystem::exists(autosave_path(state), failed)) break;
-  }
+  state.document.autosave_file.clear();  // an undecided autosave is never overwritten
   ask_to_recover(state);
 }
 

@@ -205,6 +205,7 @@ void action::Open::apply(State& state) const {
 }
 
 void ask_or_do(State& state, const Intent& intent, const std::string& path) {
+  state.document.after_save.reset();  // what waited for a path that was not given
   state.walk.playing = false;
   if (!state.document.dirty) return intent.carry_out(state, path);
   state.document.question = Question{Question::Kind::unsaved, intent, path};

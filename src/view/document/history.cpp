@@ -48,6 +48,49 @@ void replace_ink(State& state, Ink next) {
   compare_with_file(state);
 }
 
+/// Where the thing of this index is in `after`; -1 if it is gone. A name that is new there is another one of it.
+template <class Thing>
+int found_again(int index, const std::vector<Thing>& before, const std::vector<Thing>& after) {
+  if (index < 0 || static_cast<std::size_t>(index) >= before.size()) return -1;
+  const auto called = [](const std::string& name) { return [&](const Thing& thing) { return thing.name == name; }; };
+  const auto at = static_cast<std::size_t>(index);
+  const auto found = std::find_if(after.begin(), after.end(), called(before[at].name));
+  if (found != after.end()) return static_cast<int>(found - after.begin());
+  const bool renamed =
+      before.size() == after.size() && std::none_of(before.begin(), before.end(), called(after[at].name));
+  return renamed ? index : -1;
+}
+
+int corners_of(const Scene& scene, int object) {
+  const auto* prism = std::get_if<Prism<double>>(&scene.objects[static_cast<std::size_t>(object)].shape);
+  return prism == nullptr ? 0 : prism->sides();
+}
+
+/// The same thing in another version of the scene; nothing if it is gone. A corner of a polygon that has another
+/// number of them then is its object.
+Target found_again(Target target, const Scene& before, const Scene& after) {
+  const int index = target.index;
+  switch (target.kind) {
+    case TargetKind::light:
+      target.index = found_again(index, before.lights, after.lights);
+      break;
+    case TargetKind::object:
+    case TargetKind::radius:
+    case TargetKind::rotation:
+      target.index = found_again(index, before.objects, after.objects);
+      break;
+    case TargetKind::corner:
+    case TargetKind::edge:
+      target.index = found_again(index, before.objects, after.objects);
+      if (target.index >= 0 && corners_of(before, index) != corners_of(after, target.index))
+        return {TargetKind::object, target.index};
+      break;
+    default:
+      return target;
+  }
+  return target.index < 0 ? Target{} : target;
+}
+
 void step_history(State& state, std::vector<Undone>& from, std::vector<Undone>& to, std::string_view when_empty) {
   if (from.empty()) return inform(state, std::string(text(when_empty, state.appearance.language)));
   Undone next = std::move(from.back());
@@ -55,7 +98,10 @@ void step_history(State& state, std::vector<Undone>& from, std::vector<Undone>& 
   state.document.last_edit.reset();
   if (Scene* const scene = std::get_if<Scene>(&next)) {
     to.emplace_back(state.scene());
+    const Target selected = found_again(state.plan.selected, state.scene(), *scene);
     replace_scene(state, std::move(*scene));
+    state.plan.selected = exists(state, selected) ? selected : Target{};
+    state.plan.hovered = {};
   } else {
     to.emplace_back(state.document.contents.ink);
     replace_ink(state, std::get<Ink>(std::move(next)));

@@ -282,7 +282,7 @@ struct DocumentRoom {
   std::vector<std::string> keeps;   ///< files of the command line that must not be replaced, such as a demo
   /// Folder for the autosave and the list of recent files; empty: neither is kept.
   std::string state_dir;
-  /// This session's autosave: a name in state_dir that was unused at the start.
+  /// This session's autosave: a name in state_dir that no other has; empty until it is written.
   std::string autosave_file = "autosave.toml";
   double autosave_in = 0;  ///< seconds until the next autosave may be written
   std::uint64_t autosaved_revision = 0;

@@ -5,7 +5,6 @@
 #include "view/plan/plan_view.h"
 #include "view/text/shown.h"
 #include "view/text/text.h"
-#include "view/walk/code_panel.h"
 #include "view/walk/equation.h"
 #include "view/walk/status.h"
 
@@ -14,6 +13,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 namespace raywalk {
 
@@ -124,16 +124,21 @@ Json slide(const State& state, PlanWriter& plan, Dictionary& said) {
           {"l", ran == nullptr ? 0 : ran->depth}};
 }
 
+/// All procedures: the page marks lines of each, whichever runs.
 std::string code_of(const State& state) {
-  std::string text;
-  for (const CodeBox& box : code_panel(state).boxes) {
-    text += fmt::format("<section><h2>{}</h2><ol>", escaped(box.title));
-    for (const CodeRow& row : box.rows)
-      text += fmt::format("<li id=\"l{}\" style=\"padding-left:{}em\">{}</li>", static_cast<int>(row.line),
-                          0.4 + 1.4 * row.indent, escaped(row.text));
-    text += "</ol></section>";
+  const Language language = state.appearance.code_language();
+  std::string html;
+  std::optional<Procedure> open;
+  for (const PseudocodeLine& line : state.walk.timeline->pseudocode().lines) {
+    if (open != line.procedure) {
+      html += fmt::format("{}<section><h2>{}</h2><ol>", open ? "</ol></section>" : "",
+                          escaped(text(line.procedure, language)));
+      open = line.procedure;
+    }
+    html += fmt::format("<li id=\"l{}\" style=\"padding-left:{}em\">{}</li>", static_cast<int>(line.line),
+                        0.4 + 1.4 * line.indent, escaped(text(line.line, language)));
   }
-  return text;
+  return html + (open ? "</ol></section>" : "");
 }
 
 /// Samples of the kinds of rays, with their names.
@@ -203,8 +208,9 @@ function show(step) {
   box('said').innerHTML = W.said[s.s];
   box('equation').innerHTML = s.e.map(i => W.said[i]).join('');
   document.querySelectorAll('ol li').forEach(li => li.className = '');
-  if (s.n >= 0) box('l' + s.n).classList.add('next');
-  if (s.r >= 0) { box('l' + s.r).classList.add('ran'); box('l' + s.r).scrollIntoView({block: 'nearest'}); }
+  box('l' + s.n)?.classList.add('next');
+  const ran = box('l' + s.r);
+  if (ran) { ran.classList.add('ran'); ran.scrollIntoView({block: 'nearest'}); }
   box('bar').value = at;
   box('count').textContent = at + ' / ' + (W.steps.length - 1) + (s.l ? '  DEPTH ' + s.l : '');
 }

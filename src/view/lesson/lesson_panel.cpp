@@ -41,7 +41,6 @@ bool choice_holds(const LessonRoom& sitting, const Formula& choice) {
   return value && holds(*value);
 }
 
-/// A question that the walk itself will answer, not yet answered.
 /// When a presenter finishes the step, and the total time.
 std::string time_of(const LessonRoom& sitting, const LessonWords& words, Language language) {
   const Lesson& lesson = sitting.open->lesson;

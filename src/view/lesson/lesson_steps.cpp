@@ -24,22 +24,33 @@ constexpr std::size_t max_progress = 1 << 16;  // bytes
 
 std::string progress_path(const State& state) { return state.document.state_dir + "/lessons.json"; }
 
+/// What the file says; null if there is none. Adds what it has finished: by another window, or in an earlier sitting.
+nlohmann::json read_done(State& state) {
+  const auto bytes = read_file(progress_path(state), max_progress);
+  if (!bytes) return {};
+  auto json = nlohmann::json::parse(*bytes, nullptr, false);
+  if (!json.is_object()) return {};
+  if (const auto done = json.find("done"); done != json.end() && done->is_object())
+    for (const auto& [name, steps] : done->items())
+      if (steps.is_number_integer()) {
+        int& own = state.lessons.done[name];
+        own = std::max(own, std::clamp(steps.get<int>(), 0, 1000));
+      }
+  return json;
+}
+
 /// Progress is a convenience: failures are ignored.
 void read_progress(State& state) {
   if (state.document.state_dir.empty()) return;
-  const auto bytes = read_file(progress_path(state), max_progress);
-  if (!bytes) return;
-  const auto json = nlohmann::json::parse(*bytes, nullptr, false);
+  const nlohmann::json json = read_done(state);
   if (!json.is_object()) return;
-  if (const auto done = json.find("done"); done != json.end() && done->is_object())
-    for (const auto& [name, steps] : done->items())
-      if (steps.is_number_integer()) state.lessons.done[name] = std::clamp(steps.get<int>(), 0, 1000);
   if (const auto unlocked = json.find("unlocked"); unlocked != json.end() && unlocked->is_boolean())
     state.lessons.unlocked = unlocked->get<bool>();
 }
 
-void write_progress(const State& state) {
+void write_progress(State& state) {
   if (state.document.state_dir.empty()) return;
+  static_cast<void>(read_done(state));
   const nlohmann::json json{{"done", state.lessons.done}, {"unlocked", state.lessons.unlocked}};
   std::error_code error;
   std::filesystem::create_directories(state.document.state_dir, error);
@@ -102,13 +113,10 @@ void show_as_left(State& state) {
 void stage(State& state) {
   const PlayedStep& step = *state.lessons.at();
   const LessonWalk& walk = *step.walk;
-  std::optional<PixelWalk> pixel;
-  if (walk.pixel) pixel = PixelWalk{walk.document.scene.image, walk.pixel->column, walk.pixel->row, {}};
-  const bool stays = state.scene() == walk.document.scene && state.walk.pixel == pixel &&
-                     !state.picture.settings.single_precision && !state.picture.settings.integrator &&
-                     state.picture.settings.walk_samples == 1 && !state.effects.leaves_out() &&
-                     fault_at_work(state) == walk.fault && !(state.walk.bug && state.walk.bug->mended);
+  const std::optional<PixelWalk> pixel = pixel_of(walk);
+  const bool stays = is_staged(state) && !(state.walk.bug && state.walk.bug->mended);
   if (!stays) {
+    forget_autosave(state);  // changes during a lesson belong to the lesson
     state.picture.settings.single_precision = false;
     state.picture.settings.integrator.reset();
     state.picture.settings.walk_samples = 1;
@@ -142,7 +150,7 @@ void begin_lesson_at(State& state, const std::string& name, std::optional<int> w
   if (opened->played.steps.empty())
     return complain(state, opened->played.errors.empty() ? name : opened->played.errors.front().text());
   forget_autosave(state);
-  if (!sitting.open && !saved_scene(state).objects.empty()) {
+  if (!sitting.open && saved_scene(state) != Scene{}) {
     // Unsaved work was asked about, and discarded.
     sitting.own = std::make_shared<const OwnScene>(OwnScene{saved_document(state), state.document.path, mode});
   }
@@ -216,13 +224,15 @@ void action::GoToLessonStep::apply(State& state) const {
   if (!sitting.open || step < 0) return;
   const LessonPanel panel = lesson_panel(state);
   if (step > sitting.step && !panel.can_go_on) return;
-  const std::string& name = sitting.open->lesson.name;
-  int& done = sitting.done[name];
-  done = std::max(done, std::min(step, panel.steps));
+  // The steps between may ask.
+  const bool skips = sitting.unlocked || sitting.presenter;
+  const int to = std::min(step, skips ? panel.steps : sitting.step + 1);
+  int& done = sitting.done[sitting.open->lesson.name];
+  done = std::max(done, to);
   write_progress(state);
-  if (step >= panel.steps) return LeaveLesson{}.apply(state);
-  const bool jumps = step < sitting.step || step > sitting.step + 1;
-  sitting.step = step;
+  if (to >= panel.steps) return LeaveLesson{}.apply(state);
+  const bool jumps = to < sitting.step || to > sitting.step + 1;
+  sitting.step = to;
   if (jumps) show_as_left(state);
   stage(state);
   FitView{}.apply(state);  // a step speaks of the whole, wherever the one before it was looked at closely
@@ -264,11 +274,12 @@ void action::RevealLesson::apply(State& state) const {
     sitting.right += verdict->right ? 1 : 0;
   }
   // A student may have walked elsewhere, or changed the scene.
-  const LessonGuess guess = sitting.guess;
-  if (state.scene() != sitting.at()->walk->document.scene || fault_at_work(state) != sitting.at()->walk->fault ||
-      state.effects.leaves_out()) {
+  if (!is_staged(state)) {
+    const LessonGuess guess = sitting.guess;
+    const std::vector<int> hands = sitting.hands;
     stage(state);
     sitting.guess = guess;
+    sitting.hands = hands;
     sitting.revealed = true;
   }
   if (state.walk.bug) state.walk.bug->known = true;

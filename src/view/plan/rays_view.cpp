@@ -158,9 +158,8 @@ void draw_stub(Painter& painter, const Vec2d& from, const Vec2d& along, const St
 RaysShown rays_shown(const State& state) {
   const Timeline& timeline = *state.walk.timeline;
   const int position = state.walk.position, pixel = timeline.current_pixel(position);
-  const int wished = state.bugs.hunt                 ? state.bugs.hunt->first_pixel
-                     : state.lessons.at() != nullptr ? state.lessons.first_pixel
-                                                     : 0;
+  const bool in_lesson = state.lessons.shown && state.lessons.at() != nullptr;
+  const int wished = state.bugs.hunt ? state.bugs.hunt->first_pixel : in_lesson ? state.lessons.first_pixel : 0;
   return {position, pixel, timeline.current_ray(position), std::min(wished, pixel), state.legend.earlier};
 }
 

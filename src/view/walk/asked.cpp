@@ -58,6 +58,21 @@ bool is_open_question(const LessonRoom& sitting) {
          !std::holds_alternative<LineQuestion>(*step->step->question);
 }
 
+std::optional<PixelWalk> pixel_of(const LessonWalk& walk) {
+  if (!walk.pixel) return std::nullopt;
+  return PixelWalk{walk.document.scene.image, walk.pixel->column, walk.pixel->row, {}};
+}
+
+bool is_staged(const State& state) {
+  const PlayedStep* step = state.lessons.at();
+  if (step == nullptr) return false;
+  const LessonWalk& walk = *step->walk;
+  const ImageSettings& settings = state.picture.settings;
+  return state.scene() == walk.document.scene && state.walk.pixel == pixel_of(walk) && !settings.single_precision &&
+         !settings.integrator && settings.walk_samples == 1 && !state.effects.leaves_out() &&
+         fault_at_work(state) == walk.fault;
+}
+
 double degrees_between(const Vec2d& a, const Vec2d& b) {
   return std::abs(std::atan2(cross(a, b), dot(a, b))) * 180 / std::numbers::pi;
 }
@@ -83,7 +98,7 @@ std::optional<Vec2d> guess_origin(const State& state) {
 bool question_waits(const State& state) {
   if (!state.lessons.shown || !is_open_question(state.lessons) || state.walk.mode != Mode::trace) return false;
   const PlayedStep& step = *state.lessons.at();
-  return state.walk.position == step.asked && state.scene() == step.walk->document.scene;
+  return state.walk.position == step.asked && is_staged(state);
 }
 
 std::optional<Vec2d> arrow_origin(const State& state) {

@@ -12,6 +12,11 @@ namespace raywalk {
 /// Whether the open step asks, and its answer is not shown yet. (While searching a faulty line one walks freely.)
 [[nodiscard]] bool is_open_question(const LessonRoom& sitting);
 
+/// The pixel of the picture that a lesson's walk is of; none for the strip.
+[[nodiscard]] std::optional<PixelWalk> pixel_of(const LessonWalk& walk);
+/// Whether the open step's walk is the one that is walked: its positions are those of the timeline.
+[[nodiscard]] bool is_staged(const State& state);
+
 /// Whether the walk is where a lesson asks, and the prediction is still missing. (While searching a faulty line one
 /// walks freely.)
 [[nodiscard]] bool question_waits(const State& state);
