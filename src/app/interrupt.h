@@ -2,7 +2,6 @@
 
 #include "math/stop.h"
 
-
 namespace raywalk {
 
 /// From now on Ctrl-C (SIGINT), SIGTERM and the end of the terminal (SIGHUP) end the program at once, with exit code 1

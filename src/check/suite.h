@@ -15,10 +15,10 @@ namespace raywalk::check {
 struct SuiteOptions {
   std::uint64_t rays = 1'000'000;  ///< per family, over all of its lines
   std::uint64_t seed = 1;
-  int threads = 1;    ///< 0: one per hardware thread
-  std::string state;  ///< the file that keeps finished lines; empty: none
+  int threads = 1;        ///< 0: one per hardware thread
+  std::string state;      ///< the file that keeps finished lines; empty: none
   std::string program{};  ///< of which build they are, as a file of another must not be gone on with; may be empty
-  Stop stop{};        ///< ends the run at the next chunk
+  Stop stop{};            ///< ends the run at the next chunk
   std::function<void(double done, double seconds_left)> progress{};  ///< called now and then; done in 0..1
 };
 
