@@ -214,10 +214,9 @@ Result<StudyResult> run_study(const std::vector<Experiment>& experiments, const 
     if (const auto own = check_own(table_path(experiment, options), "# raywalk study " + experiment.name); !own)
       return tl::unexpected(own.error());
     constexpr int most_figures = 9;
+    constexpr std::string_view diagram = "' role='img'>\n<title>";  // as svg_of begins one
     for (int figure = 1; figure <= most_figures; ++figure)
-      if (const auto own = check_own(figure_path(experiment, figure, options),
-                                     "' role='img'>\n<title>");
-          !own)
+      if (const auto own = check_own(figure_path(experiment, figure, options), diagram); !own)
         return tl::unexpected(own.error());
   }
   if (!options.share)
