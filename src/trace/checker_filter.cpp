@@ -81,6 +81,9 @@ Pair sum_over_rows(Pair u, Pair v, double du, double dv) {
   }
 }
 
+/// A part of a side that is so small that a division by it may not be finite counts as none.
+constexpr double dust = 1e-200;
+
 /// The integral of S(u) s(v) dv along the way from one corner, less that along the same way from another, where S is
 /// the integral of s.
 double difference_along(Pair one, Pair other, Pair way) {
@@ -89,16 +92,13 @@ double difference_along(Pair one, Pair other, Pair way) {
   constexpr auto difference = [](Pair x) { return x[0] - x[1]; };
   const double du = way[0], dv = way[1];
   const Pair u{one[0], other[0]}, v{one[1], other[1]};
-  if (dv == 0) return 0;
+  if (std::abs(dv) < dust) return 0;
   if (std::abs(dv) <= std::abs(du))  // S(u) du is the change of S's own integral
     return dv / du * difference(over_rows(u, v, du, dv));
   // Steep, it leads through fewer columns. By parts it is the change of S(u) S(v), less the integral of S(v) s(u) du.
   const double change = difference(S(u + du) * S(v + dv) - S(u) * S(v));
-  return du == 0 ? change : change - du / dv * difference(over_rows(v, u, dv, du));
+  return std::abs(du) < dust ? change : change - du / dv * difference(over_rows(v, u, dv, du));
 }
-
-/// Without parts so small that a division by them is not finite.
-Pair without_dust(Pair side) { return absolute(side) > 1e-200 ? side : Pair{0, 0}; }
 
 /// The mean of s(u) s(v) over the parallelogram about `centre` with the sides p and q, by its border (Green): its area
 /// and the integral of S(u) s(v) dv are both negative where that runs clockwise.
@@ -111,6 +111,7 @@ double mean_over_parallelogram(Pair centre, Pair p, Pair q) {
 /// The mean of s(u) s(v) over the way about `centre`.
 double mean_along(Pair centre, Pair way) {
   if (std::abs(way[0]) < std::abs(way[1])) return mean_along(swapped(centre), swapped(way));
+  if (std::abs(way[1]) < dust) way[1] = 0;
   const Pair start = centre - 0.5 * way, u{start[0], start[0]}, v{start[1], start[1]};  // twice the same
   return sum_over_rows<integral_of_square_wave>(u, v, way[0], way[1])[0] / way[0];
 }
@@ -131,24 +132,23 @@ T even_share(const Vec2<T>& uv, T size, const Footprint<T>& footprint) {
   constexpr double far = 0x1p50;                            // where doubles have no digits left within a square
   const auto near = absolute(place) < far;
   if (!(near[0] & near[1])) return even_square(uv, size) ? T(1) : T(0);
-  const Pair square = whole_below(place - 0.5 * reach), wave = square_wave(square);
+  const Pair square = whole_below(place - 0.5 * reach);
   const auto in_one = place + 0.5 * reach < square + 1.0;
   place = within_period(place);
   double mean = 0;
   if (in_one[0] & in_one[1])
-    mean = wave[0] * wave[1];
+    mean = square_wave(square)[0] * square_wave(square)[1];
   else if (in_one[1])
-    mean = wave[1] * mean_of_square_wave(place[0], p[0], q[0]);
+    mean = square_wave(square)[1] * mean_of_square_wave(place[0], p[0], q[0]);
   else if (in_one[0])
-    mean = wave[0] * mean_of_square_wave(place[1], p[1], q[1]);
+    mean = square_wave(square)[0] * mean_of_square_wave(place[1], p[1], q[1]);
   else {
     const double blend = std::clamp((crossed - least) / (most - least), 0.0, 1.0);
     if (blend < 1) {
       const Pair longer = dot(p, p) > dot(q, q) ? p : q;
       constexpr double thin = 1e-7;  // so thin that it is a line, or its integral has lost its digits
-      mean = std::abs(cross(p, q)) > thin * std::max(dot(longer, longer), 1e-3)
-                 ? mean_over_parallelogram(place, without_dust(p), without_dust(q))
-                 : mean_along(place, without_dust(longer));
+      mean = std::abs(cross(p, q)) > thin * std::max(dot(longer, longer), 1e-3) ? mean_over_parallelogram(place, p, q)
+                                                                                : mean_along(place, longer);
     }
     if (blend > 0)
       mean += blend * (mean_of_square_wave(place[0], reach[0]) * mean_of_square_wave(place[1], reach[1]) - mean);

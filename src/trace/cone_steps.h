@@ -36,7 +36,7 @@ class ConeDifferential {
                     point.normal);
   }
   [[nodiscard]] Rgb<T> pattern(const Hit<T>& hit, const SurfacePoint<T>& point, T time) const {
-    return filtered_pattern(world_, ray_, hit, point, time);
+    return filtered_pattern(world_, hit_differential(ray_), hit, point, time);
   }
 
  private:

@@ -12,16 +12,15 @@
 namespace raywalk {
 
 /// The factor of checker and texture on a surface's colours at a hit, each filtered as its material asks for it, of a
-/// surface that filters something. `ray`: transferred to the hit.
+/// surface that filters something. `neighbours`: how far their hits are away.
 template <class T>
-[[nodiscard, gnu::noinline]] Rgb<T> filtered_pattern(const World<T>& world, const RayDifferential<T>& ray,
+[[nodiscard, gnu::noinline]] Rgb<T> filtered_pattern(const World<T>& world, const HitDifferential<T>& neighbours,
                                                      const Hit<T>& hit, const SurfacePoint<T>& point, T time) {
-  const Primitives<T>& primitives = world.accelerator.primitives();
   const typename World<T>::Surface& surface = world.surface(hit.primitive);
-  Rgb<T> colour{1};
   const PatternFilter& filter = world.pattern_filter(surface);
-  const Vec2<T> uv = primitives.uv_at(hit.primitive, point, hit.part, time);
-  const Footprint<T> reach = footprint(ray, primitives, hit.primitive, point, hit.part, time);
+  const auto [uv, reach] =
+      place_in_pattern(neighbours, world.accelerator.primitives(), hit.primitive, point, hit.part, time);
+  Rgb<T> colour{1};
   if (surface.checker) {
     const auto& [even, odd, size] = *surface.checker;
     const T share =
@@ -62,8 +61,8 @@ class FollowedDifferential {
               const Vec3<T>& shading_normal) {
     if (!active_) return;
     ray_ = transfer(ray_, direction, hit.t, point.normal);
-    normal_ = normal_differential(ray_, world_.accelerator.primitives(), hit.primitive, point, hit.part, time,
-                                  shading_normal);
+    normal_ = normal_differential(hit_differential(ray_), world_.accelerator.primitives(), hit.primitive, point,
+                                  hit.part, time, shading_normal);
   }
   /// Where a medium scatters the ray.
   void arrive_inside(T distance) {
@@ -71,7 +70,7 @@ class FollowedDifferential {
     ray_.y.dP += distance * ray_.y.dD;
   }
   [[nodiscard]] Rgb<T> pattern(const Hit<T>& hit, const SurfacePoint<T>& point, T time) const {
-    return filtered_pattern(world_, ray_, hit, point, time);
+    return filtered_pattern(world_, hit_differential(ray_), hit, point, time);
   }
   /// On from the hit. `refraction`: only used by what is transmitted.
   template <class AnyBsdf>

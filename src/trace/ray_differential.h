@@ -31,6 +31,18 @@ struct RayDifferential {
   RayDerivative<T> x, y;
 };
 
+/// The derivatives by x and by y of the place that a ray hits.
+template <class T>
+struct HitDifferential {
+  Vec3<T> x{0}, y{0};
+};
+
+/// Of a ray that was transferred to it.
+template <class T>
+[[nodiscard]] HitDifferential<T> hit_differential(const RayDifferential<T>& ray) {
+  return {ray.x.dP, ray.y.dP};
+}
+
 /// The derivatives of a unit normal by x and by y.
 template <class T>
 struct NormalDifferential {
@@ -120,29 +132,37 @@ struct Footprint {
   Vec2<T> x{0}, y{0};
 };
 
-/// Of a hit on a primitive. `ray`: transferred to it. `Point`: a SurfacePoint.
+/// A place in a pattern, (u, v), and the footprint about it.
+template <class T>
+struct PlaceInPattern {
+  Vec2<T> uv;
+  Footprint<T> reach;
+};
+
+/// Of a hit on a primitive. `Point`: a SurfacePoint.
 template <class T, class Primitives, class Point>
-[[nodiscard]] Footprint<T> footprint(const RayDifferential<T>& ray, const Primitives& primitives, int primitive,
-                                     const Point& point, int part, T time) {
+[[nodiscard]] PlaceInPattern<T> place_in_pattern(const HitDifferential<T>& hit, const Primitives& primitives,
+                                                 int primitive, const Point& point, int part, T time) {
   if (const auto* plane = primitives.template plain<Plane<T>>(primitive))
-    return {uv_derivative(*plane, point, part, ray.x.dP), uv_derivative(*plane, point, part, ray.y.dP)};
-  return {primitives.uv_derivative(primitive, point, part, time, ray.x.dP),
-          primitives.uv_derivative(primitive, point, part, time, ray.y.dP)};
+    return {uv_at(*plane, point, part),
+            {uv_derivative(*plane, point, part, hit.x), uv_derivative(*plane, point, part, hit.y)}};
+  return {primitives.uv_at(primitive, point, part, time),
+          {primitives.uv_derivative(primitive, point, part, time, hit.x),
+           primitives.uv_derivative(primitive, point, part, time, hit.y)}};
 }
 
 /// The same of the normal with which a hit is shaded, `shading_normal`: that of the surface, or an interpolated one, on
 /// whichever side. One that was bent so as to face the ray (consistent_shading_normal) counts as if it were not.
 template <class T, class Primitives, class Point>
-[[nodiscard]] NormalDifferential<T> normal_differential(const RayDifferential<T>& ray, const Primitives& primitives,
+[[nodiscard]] NormalDifferential<T> normal_differential(const HitDifferential<T>& hit, const Primitives& primitives,
                                                         int primitive, const Point& point, int part, T time,
                                                         const Vec3<T>& shading_normal) {
   const T side = dot(shading_normal, point.normal) < 0 ? T(-1) : T(1);
   if (primitives.template plain<Plane<T>>(primitive) != nullptr) return {};
   if (const auto* ball = primitives.template plain<Sphere<T>>(primitive))
-    return {side * normal_derivative(*ball, point, part, ray.x.dP),
-            side * normal_derivative(*ball, point, part, ray.y.dP)};
-  return {side * primitives.normal_derivative(primitive, point, part, time, ray.x.dP),
-          side * primitives.normal_derivative(primitive, point, part, time, ray.y.dP)};
+    return {side * normal_derivative(*ball, point, part, hit.x), side * normal_derivative(*ball, point, part, hit.y)};
+  return {side * primitives.normal_derivative(primitive, point, part, time, hit.x),
+          side * primitives.normal_derivative(primitive, point, part, time, hit.y)};
 }
 
 }  // namespace raywalk

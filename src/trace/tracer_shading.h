@@ -153,7 +153,7 @@ inline auto Tracer<Policy>::prepare(const TreeRay& ray, const Hit<T>& hit) -> Sh
         arrived = camera_.differential_at_hit(D, hit.t, point.normal);
       }
       if constexpr (Policy::effects.textures)
-        if (filtered) at.tint.colour = filtered_pattern(world_, arrived, hit, point, ray.ray.time);
+        if (filtered) at.tint.colour = filtered_pattern(world_, hit_differential(arrived), hit, point, ray.ray.time);
     }
   }
   if constexpr (Policy::effects.textures) {

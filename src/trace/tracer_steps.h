@@ -365,8 +365,9 @@ auto Tracer<Policy>::differential_after(const ShadingPoint& at, const TreeRay& r
   const RayDifferential<T>& arrived = at.neighbours.differential;
   const Vec3<T>&D = ray.ray.direction, &N = at.shading_normal;
   const SurfacePoint<T> point{at.position, at.entering ? at.geometric_normal() : -at.geometric_normal()};
-  const NormalDifferential<T> normal = normal_differential(
-      arrived, world_.accelerator.primitives(), at.departure.primitive, point, at.departure.part, ray.ray.time, N);
+  const NormalDifferential<T> normal =
+      normal_differential(hit_differential(arrived), world_.accelerator.primitives(), at.departure.primitive, point,
+                          at.departure.part, ray.ray.time, N);
   const bool reflects = kind == RayKind::reflect;
   RayDifferential<T> sharp = arrived;
   if (reflects)

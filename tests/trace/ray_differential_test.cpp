@@ -195,7 +195,7 @@ TEST_CASE("differentials equal dual numbers, whatever bends the ray") {
         const Vec3d N = facing * outward;
         Dual3 normal = truth.normal_at(P);
         if (dot(normal.value(), N) < 0) normal = Dual{-1} * normal;
-        const RayDifferential<double> same{found, found};
+        const HitDifferential<double> same{found.dP, found.dP};
         const Vec3d dN = normal_differential(same, all.primitives, nearest->primitive, point, nearest->part, 0.0, N).x;
         if (length(normal.derivative()) > 1e-12 * length(found.dP))
           worst = std::max(worst, error(dN, normal.derivative()));
