@@ -87,7 +87,6 @@ void Accelerator<T>::occluded(std::span<const Ray<T>> rays, std::span<const T> t
 template class Accelerator<float>;
 template class Accelerator<double>;
 
-RAYWALK_SEARCHES(float, Ray)
 RAYWALK_SEARCHES(double, Ray)
 
 }  // namespace raywalk

@@ -2,7 +2,6 @@
 
 namespace raywalk {
 
-RAYWALK_SEARCHES(float, NaiveRay)
 RAYWALK_SEARCHES(double, NaiveRay)
 
 }  // namespace raywalk

@@ -1,6 +1,7 @@
 #pragma once
-// How the queries of an accelerator search its structure. Compiled once for robust rays (accelerator.cpp) and once for
-// naive ones (accelerator_naive.cpp), so that not every kernel of the tracer contains a copy of every structure.
+// How the queries of an accelerator search its structure. Compiled once for robust rays (accelerator.cpp), for naive
+// ones (accelerator_naive.cpp) and in single precision (accelerator_float.cpp), so that not every kernel of the tracer
+// contains a copy of every structure.
 
 #include "accel/accelerator.h"
 #include "accel/bounding_volumes.h"

@@ -19,16 +19,9 @@ namespace detail {
 
 constexpr double half_ulp = 1.1102230246251565e-16;
 
-// Only few rays need these, so they are never inlined.
-
-[[nodiscard, gnu::noinline, gnu::cold]] inline Expansion exact_dot(const Vec3d& n, const Vec3d& d) {
-  return Expansion(n.x) * d.x + Expansion(n.y) * d.y + Expansion(n.z) * d.z;
-}
-[[nodiscard, gnu::noinline, gnu::cold]] inline Expansion exact_dot_of_difference(const Vec3d& n, const Vec3d& p,
-                                                                                 const Vec3d& o) {
-  return Expansion(n.x) * (Expansion(p.x) - o.x) + Expansion(n.y) * (Expansion(p.y) - o.y) +
-         Expansion(n.z) * (Expansion(p.z) - o.z);
-}
+/// n . d and n . (p - o)
+[[nodiscard, gnu::cold]] Expansion exact_dot(const Vec3d& n, const Vec3d& d);
+[[nodiscard, gnu::cold]] Expansion exact_dot_of_difference(const Vec3d& n, const Vec3d& p, const Vec3d& o);
 
 }  // namespace detail
 
@@ -57,17 +50,8 @@ struct PlaneIntersection {
   }
 };
 
-[[nodiscard, gnu::noinline, gnu::cold]] inline PlaneIntersection intersect_plane_exactly(const Vec3d& n, const Vec3d& p,
-                                                                                         const Vec3d& o,
-                                                                                         const Vec3d& d) {
-  const Expansion numerator = detail::exact_dot_of_difference(n, p, o), denominator = detail::exact_dot(n, d);
-  const auto rounded = [](const Expansion& exact) {
-    const double value = static_cast<double>(exact.rounded());
-    return RoundedSum{value, detail::half_ulp * std::abs(value)};
-  };
-  const double t = denominator.sign() == 0 ? NAN : static_cast<double>(numerator.rounded() / denominator.rounded());
-  return {rounded(numerator), rounded(denominator), t, true};
-}
+[[nodiscard, gnu::cold]] PlaneIntersection intersect_plane_exactly(const Vec3d& n, const Vec3d& p, const Vec3d& o,
+                                                                   const Vec3d& d);
 [[nodiscard]] inline PlaneIntersection intersect_plane(const Vec3d& n, const Vec3d& p, const Vec3d& o, const Vec3d& d) {
   const RoundedSum numerator = estimate_dot_of_difference(n, p, o), denominator = estimate_dot(n, d);
   if (!(numerator.certain() && denominator.certain())) return intersect_plane_exactly(n, p, o, d);

@@ -25,7 +25,8 @@ struct BoxInterval {
 
 /// The same in exact arithmetic: the line hits the box when no entry comes after an exit.
 template <class T>
-[[nodiscard]] std::optional<BoxInterval> exact_interval(const Box<T>& box, const Ray<T>& ray, int departed_part) {
+[[nodiscard, gnu::noinline, gnu::cold]] std::optional<BoxInterval> exact_interval(const Box<T>& box, const Ray<T>& ray,
+                                                                                  int departed_part) {
   struct Face {
     Expansion distance;  ///< along the axis, times the sign of the direction
     double slope = 0;    ///< > 0; 0: the line is parallel to the face

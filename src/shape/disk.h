@@ -20,7 +20,7 @@ namespace detail {
 
 /// Whether the line intersects the disk's plane inside the rim or on it.
 template <class T>
-[[nodiscard]] bool exactly_inside(const Disk<T>& disk, const Ray<T>& ray) {
+[[nodiscard, gnu::noinline, gnu::cold]] bool exactly_inside(const Disk<T>& disk, const Ray<T>& ray) {
   const Vec3d normal = wide(disk.normal), o = wide(ray.origin), d = wide(ray.direction), centre = wide(disk.centre);
   const Expansion numerator = exact_dot_of_difference(normal, centre, o), denominator = exact_dot(normal, d);
   Expansion square;

@@ -60,7 +60,8 @@ template <class T, class Above, class Left>
 
 /// The same with the intersection itself exact: everything is multiplied by the denominator of t.
 template <class T>
-[[nodiscard]] bool exactly_inside(const Polygon<T>& polygon, const Ray<T>& ray, const Vec3d& normal, int kx, int ky) {
+[[nodiscard, gnu::noinline, gnu::cold]] bool exactly_inside(const Polygon<T>& polygon, const Ray<T>& ray,
+                                                            const Vec3d& normal, int kx, int ky) {
   const Vec3d o = wide(ray.origin), d = wide(ray.direction);
   Expansion numerator = exact_dot_of_difference(normal, Vec3d(polygon.outline.front()), o);
   Expansion denominator = exact_dot(normal, d);

@@ -156,8 +156,8 @@ template <class T, QuadricKind Kind>
 
 /// `intersect` entirely by exact signs.
 template <class T, QuadricKind Kind>
-[[nodiscard]] std::optional<Intersection<T>> intersect_exactly(const Quadric<T, Kind>& quadric, const Ray<T>& ray,
-                                                               T t_max, int departed_part) {
+[[nodiscard, gnu::noinline, gnu::cold]] std::optional<Intersection<T>> intersect_exactly(
+    const Quadric<T, Kind>& quadric, const Ray<T>& ray, T t_max, int departed_part) {
   using Part = Quadric<T, Kind>;
   const Vec3d o = wide(ray.origin), d = wide(ray.direction);
   const ExactQuadratic wall = exact_quadratic(exact_equation_of(quadric), o, d, departed_part == Part::wall);

@@ -3,6 +3,7 @@
 
 #include "shape/box.h"
 #include "shape/disk.h"
+#include "shape/exactly.h"
 #include "shape/plane.h"
 #include "shape/polygon.h"
 #include "shape/prism.h"

@@ -47,11 +47,13 @@ Statistics run_kernel(const World<T>& world, const RayGenerator<T>& camera, cons
 
 /// What a kernel for these effects does besides: there is no refraction without reflection (total internal reflection),
 /// nor lobes without it, nor nesting without refraction, nor penumbras without shadows. Where there are to be few
-/// kernels, all have textures, penumbras and reflection, lobes come with refraction, and what refracts nests.
+/// kernels, all have textures, shadows and reflection, lobes come with refraction, what refracts nests, and only what
+/// refracts as Whitted's scene does, without lobes, has a kernel without penumbras.
 [[nodiscard]] constexpr HitEffects widened(HitEffects set) {
   if (few_kernels) {
-    set.textures = set.penumbra = set.reflection = true;
+    set.textures = set.shadows = set.reflection = true;
     set.refraction = set.nesting = set.refraction || set.nesting || set.lobes;
+    set.penumbra = set.penumbra || !set.refraction || set.lobes;
   }
   set.refraction = set.refraction || set.nesting;
   set.reflection = set.reflection || set.refraction || set.lobes;
@@ -77,7 +79,7 @@ inline constexpr auto kernel_sets = [] {
                                                    {yes, yes, no, yes},
                                                    {yes, yes, yes, yes}}};
   constexpr std::array<std::pair<bool, bool>, 3> lights{{{no, no}, {yes, no}, {yes, yes}}};  // shadows, penumbras
-  std::array<HitEffects, few_kernels ? 5 : scatterings.size() * 2 * lights.size() + 3> sets{};
+  std::array<HitEffects, few_kernels ? 6 : scatterings.size() * 2 * lights.size() + 3> sets{};
   std::size_t at = 0;
   for (const Scattering& to : scatterings)
     for (const auto& [shadows, penumbra] : lights)
