@@ -15,7 +15,7 @@ export const is_firefox = process.env.RAYWALK_BROWSER === 'firefox';
 // For what Firefox's protocol does not offer.
 export const only_in_chromium = { skip: is_firefox && 'in Chromium alone' };
 
-export const open_browser = (preferences = {}) => puppeteer.launch(is_firefox ? {
+export const open_browser = (preferences = {}, firefox = is_firefox) => puppeteer.launch(firefox ? {
   browser: 'firefox',
   protocol: 'webDriverBiDi',
   executablePath: '/usr/bin/firefox-esr',
