@@ -104,6 +104,7 @@ ExitCode check_numerics_command(const CheckOptions& /*options*/) {
 void declare_check(CLI::App& program, Run& run) {
   CLI::App& command = *program.add_subcommand("check", "Check Raywalk itself");
   command.require_subcommand(1);
+  command.footer("Example:\n  raywalk check numerics sphere");
   CLI::App& numerics =
       *command.add_subcommand("numerics", "Aim rays at what is hard to decide, and judge each by exact arithmetic");
   const auto options = std::make_shared<CheckOptions>();

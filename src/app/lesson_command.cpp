@@ -150,16 +150,16 @@ ExitCode lesson_script_command(const std::string& name, Language language, const
 void declare_lesson(CLI::App& program, Run& run) {
   CLI::App& command = *program.add_subcommand("lesson", "List the lessons, or play them all and check what they claim");
   command.require_subcommand(1);
+  command.footer("Examples:\n  raywalk lesson list\n  raywalk lesson check 5");
   CLI::App& list = *command.add_subcommand("list", "Name the lessons");
+  list.footer("Example:\n  raywalk lesson list");
   list.callback([&run] { run = [] { return lesson_list_command(); }; });
   CLI::App& check = *command.add_subcommand("check", "Play lessons without a window, in every language");
   const auto names = std::make_shared<std::vector<std::string>>();
   check.add_option("NAME", *names, "Lessons, such as 5 or 05-refraction, or folders; left out: all")->type_name("");
   const auto seeds = std::make_shared<int>(LessonCheckSettings{}.seeds);
-  check
-      .add_option("--seeds", *seeds, "With how many other random numbers claims have to hold too, where some are drawn")
-      ->check(CLI::Range(0, 1000))
-      ->capture_default_str();
+  add_whole(check, "--seeds", *seeds, 0, 1000,
+            "With how many other random numbers claims have to hold too, where some are drawn (20 when left out)");
   check.footer(
       "A lesson fails on a step that cannot be reached, a claim that the trace does not bear out, a text that is\n"
       "missing in a language, a number in a text that nothing checks, and words such as \"half\" or \"twice\" that no\n"

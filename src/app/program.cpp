@@ -108,8 +108,9 @@ void declare_render(CLI::App& program, Run& run) {
             "Threads; 0, as when left out: as many as the machine runs at once");
   add_parsed(command, "--seed", to.seed, parse_seed, "N", "a whole number from 0 to 2^64 - 1",
              "Which random numbers are drawn, where any are (0 when left out)");
-  add_choice<AcceleratorKind>(command, "--accel", to.accelerator,
-                              "How the objects that a ray may meet are found; the picture is the same");
+  add_choice<AcceleratorKind>(
+      command, "--accel", to.accelerator,
+      "How the objects that a ray may meet are found; the picture is the same, but by naive numerics");
   add_choice<BuildQuality>(command, "--build", to.build,
                            "How long a tree over meshes may be built, for rays that find their triangle sooner: best\n"
                            "splits triangles, which pays where many overlap; auto, as when left out, is fast for few\n"
@@ -125,7 +126,8 @@ void declare_render(CLI::App& program, Run& run) {
   add_part(command, to.share, "Render only this share of the picture, into IMAGE.part-I-of-N, for raywalk merge");
   command.add_flag("-q,--quiet", to.quiet, "Say nothing on the terminal but what went wrong");
   command.footer(
-      "What is left out is as the scene says. None of --threads, --accel and --build changes a bit of the picture.\n"
+      "What is left out is as the scene says. None of --threads, --accel and --build changes a bit of the picture\n"
+      "(but --accel with naive numerics).\n"
       "Ctrl-C writes what is done to NAME.partial.png, or NAME.partial-2.png and so on where there is one, and leaves "
       "an\n"
       "old image whole; twice, it ends at once.\n\n"

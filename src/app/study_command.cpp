@@ -125,7 +125,7 @@ void declare_study(CLI::App& program, Run& run) {
   StudyCommandOptions& to = *options;
   command.add_option("NAME", to.names, "Only these experiments, by name or number; left out: all")->type_name("");
   add_file(command, "-o,--output", to.folder, "DIR", "The folder for the results, made when it does not exist");
-  command.add_flag("--quick", to.quick, "Fewer samples: a few minutes; intervals are wider");
+  command.add_flag("--quick", to.quick, "Fewer samples, in less time; intervals are wider");
   command.add_flag("--list", to.list, "Only name the experiments");
   constexpr int max_threads = 1024;
   add_whole(command, "--threads", to.threads, 0, max_threads,
