@@ -51,6 +51,7 @@ template <class N, class T>
   const bool none = i == truth.crossings.size();
   const bool too_far = !none && approximate(truth.crossings[i].t) >= most;
   if (!got) return {none || too_far || optional ? HitVerdict::right : HitVerdict::missed};
+  if (std::isnan(got->t)) return {HitVerdict::false_hit};
   if (none) return {optional ? HitVerdict::right : HitVerdict::false_hit};
   if (too_far) return {};
   const double t = static_cast<double>(got->t);

@@ -72,13 +72,14 @@ Result<std::vector<Tested>> read_state(const std::string& path, const std::strin
     Tested tested;
     bool read = std::getline(cells, tested.family, '\t') && std::getline(cells, tested.line, '\t') &&
                 std::getline(cells, tested.scalar, '\t');
-    for (const auto count : counts) read = read && cells >> tested.tally.*count;
+    for (const auto count : counts)  // one below 0 would be read as a large one
+      read = read && (cells >> std::ws).peek() != '-' && cells >> tested.tally.*count;
     for (const auto error : errors) {
       std::string word;  // "inf" too, which a stream does not read as a number
       read = read && cells >> word;
       if (read) tested.tally.*error = std::strtod(word.c_str(), nullptr);
     }
-    if (!read)
+    if (!read || !(cells >> std::ws).eof())
       return tl::unexpected(Error{path, number, 0, "this line is not one of a state file",
                                   "remove the file; the run then starts afresh"});
     lines.push_back(tested);

@@ -131,11 +131,14 @@ template <class S, class T>
 }
 
 inline void keep_worst(Tally& tally, const Comparison& found, bool both_exact) {
+  const auto keep = [](double& worst, double error) {
+    if (!(error <= worst)) worst = error;  // NaN is the worst of all
+  };
   if (both_exact) {
-    tally.exact_ulps = std::max(tally.exact_ulps, found.ulps);
+    keep(tally.exact_ulps, found.ulps);
   } else {
-    tally.fast_ulps = std::max(tally.fast_ulps, found.ulps);
-    tally.fast_ulps_by_condition = std::max(tally.fast_ulps_by_condition, found.by_condition);
+    keep(tally.fast_ulps, found.ulps);
+    keep(tally.fast_ulps_by_condition, found.by_condition);
   }
 }
 

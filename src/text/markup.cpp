@@ -21,7 +21,11 @@ std::string escaped(std::string_view text) {
         result += "&quot;";
         break;
       default:
-        result += c;
+        // XML has no control characters but these, not even escaped.
+        if (static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t')
+          result += "\uFFFD";
+        else
+          result += c;
     }
   }
   return result;

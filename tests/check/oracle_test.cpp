@@ -77,6 +77,7 @@ TEST_CASE("the judge tells a right answer from a missed and a false one") {
   CHECK(judge(truly, std::optional(Intersection<double>{4})).ulps == 0);
   CHECK(judge(truly, std::optional(Intersection<double>{std::nextafter(4.0, 5.0)})).ulps == 1);
   CHECK(judge(truly, std::optional<Intersection<double>>()).verdict == HitVerdict::missed);
+  CHECK(judge(truly, std::optional(Intersection<double>{NAN})).verdict == HitVerdict::false_hit);
   CHECK(judge(truly, std::optional(Intersection<double>{6})).verdict == HitVerdict::missed);  // the way out
   CHECK(judge(truth<Rational>(unit, passes), std::optional(Intersection<double>{5})).verdict == HitVerdict::false_hit);
   CHECK(judge(truth<Rational>(unit, passes), std::optional<Intersection<double>>()).verdict == HitVerdict::right);

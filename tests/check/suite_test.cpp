@@ -117,6 +117,16 @@ TEST_CASE("a run goes on from its state file, and refuses another run's") {
   const auto damaged = run_suite({counted}, options);
   REQUIRE_FALSE(damaged);
   CHECK(damaged.error().line == 2);
+  // What would be read as a large number, and what stands behind the last one.
+  const std::string whole = state_text(options, second->lines);
+  const std::size_t count = whole.find('\t', whole.find("float\t") + 6) + 1;
+  for (const std::string& text :
+       {whole.substr(0, count) + "-" + whole.substr(count), whole.substr(0, whole.size() - 1) + "\t7\n"}) {
+    REQUIRE(write_file_atomically(options.state, text));
+    CHECK_FALSE(run_suite({counted}, options));
+  }
+  REQUIRE(write_file_atomically(options.state, whole));
+  CHECK(run_suite({counted}, options));
 }
 
 TEST_CASE("a stopped run says that it is not finished") {

@@ -73,6 +73,19 @@ TEST_CASE("the share of even squares is that of many points") {
   }
 }
 
+TEST_CASE("a footprint without a breadth is filtered along the whole of its line") {
+  // In squares 0.3 above a line, the diagonal: at its ends for a moment in odd ones.
+  CHECK(even_share(Vec2d(0, 0.3), 1.0, Footprint<double>{{0.5, 0.5}, {0.5, 0.5}}) ==
+        Approx(0.58).epsilon(0).margin(0.01));
+  std::mt19937 bits(9);
+  const auto number = [&] { return static_cast<double>(bits()) / 0x1p31 - 1; };
+  for (int i = 0; i < 200; ++i) {
+    const Vec2d place(number(), number()), side(2 * number(), 2 * number());
+    const Footprint<double> line{side, number() * side};
+    CHECK(even_share(place, 1.0, line) == Approx(by_points(place, line, 400)).epsilon(0).margin(0.03));
+  }
+}
+
 TEST_CASE("the share of even squares is that of the squares cut out of the footprint") {
   std::mt19937 bits(5);
   const auto number = [&] { return static_cast<double>(bits()) / 0x1p31 - 1; };

@@ -29,6 +29,66 @@ TEST_CASE("pixels and scene units turn into each other") {
   CHECK(to_pixels(state, Vec2d(0, 1)).y < to_pixels(state, Vec2d(0, 0)).y);
 }
 
+TEST_CASE("a sphere so large that it is a wall is drawn where it meets the pane") {
+  State near = classic_state();
+  Scene scene = near.scene();
+  const Vec2d inside(6, 0), outside(2, 0);
+  for (const double radius : {100.0, 1e4, 1e7, 1e12}) {
+    scene.objects[0].shape = Sphere<double>{{3 + radius, 0, 0}, radius};
+    State state = state_of(scene);
+    update(state, action::ResizePlan{{800, 600}});
+    state.plan.camera = near.plan.camera;
+    const auto drawn = items_of(plan_view(state), {TargetKind::object, 0});
+    REQUIRE_FALSE(drawn.empty());
+    const auto distance = [&](const Vec2d& at) { return distance_to(drawn[0], to_pixels(state, at)); };
+    CHECK(distance(inside) == 0);
+    CHECK(distance(outside) == Approx(state.plan.camera.pixels_per_unit).epsilon(0.02));
+    CHECK(pick(state, to_pixels(state, inside)) == Target{TargetKind::object, 0});
+  }
+  // And the pane may lie within it.
+  scene.objects[0].shape = Sphere<double>{{0, 0, 0}, 1e6};
+  State state = state_of(scene);
+  update(state, action::ResizePlan{{800, 600}});
+  state.plan.camera = near.plan.camera;
+  const auto drawn = items_of(plan_view(state), {TargetKind::object, 0});
+  REQUIRE_FALSE(drawn.empty());
+  for (const Vec2d& at : {Vec2d(0, 0), Vec2d(800, 600), Vec2d(400, 300)}) CHECK(distance_to(drawn[0], at) == 0);
+}
+
+TEST_CASE("a plane that is turned is drawn as the one that stands there") {
+  Scene scene = classic_state().scene();
+  scene.objects[0].shape = Plane<double>{{1, 2, 0}, {-1, 0, 0}};
+  scene.objects[0].transform.clear();
+  const auto wall = wall_line(scene.objects[0]);
+  REQUIRE(wall);
+  scene.objects[0].shape = Plane<double>{{0, 2, 0}, {0, 1, 0}};
+  scene.objects[0].transform = {{Rotate{{0, 0, 1}, 90}}, {Translate{{3, 2, 0}}}};
+  const auto turned = wall_line(scene.objects[0]);
+  REQUIRE(turned);
+  CHECK(length(turned->along - wall->along) < 1e-12);
+  CHECK(std::abs(cross(turned->point - wall->point, wall->along)) < 1e-12);
+  State state = state_of(scene);
+  CHECK_FALSE(items_of(plan_view(state), {TargetKind::object, 0}).empty());
+}
+
+TEST_CASE("of many lights only the one that is looked at has its name") {
+  Scene scene = classic_state().scene();
+  for (int i = 0; i < 60; ++i) {
+    scene.lights.push_back(scene.lights[0]);
+    scene.lights.back().name = "Lamp " + std::to_string(i);
+  }
+  State state = state_of(scene);
+  update(state, action::ResizePlan{{800, 600}});
+  const auto named = [&] {
+    const auto texts = texts_of(plan_view(state));
+    return std::count_if(texts.begin(), texts.end(),
+                         [](const TextItem& text) { return text.text.rfind("Lamp ", 0) == 0; });
+  };
+  CHECK(named() == 0);
+  state.plan.selected = {TargetKind::light, 7};
+  CHECK(named() == 1);
+}
+
 TEST_CASE("everything with a place fits into the pane") {
   for (const Viewport& pane : {Viewport{800, 600}, Viewport{300, 900}, Viewport{1500, 200}}) {
     State state = classic_state();

@@ -90,6 +90,15 @@ TEST_CASE("an arrow is dragged from the ring, the step that forms the ray judges
   CHECK(state.predictions.made.size() == 1);
 }
 
+TEST_CASE("a click whose pointer has left before it ended counts where it began") {
+  State state = predicting();
+  to_question(state, PredictionKind::end, RayKind::primary);
+  update(state, action::PointerPressed{Vec2d(3, 3)});
+  update(state, action::PointerLeft{});
+  update(state, action::Step{});  // which ends the click first
+  CHECK(state.predictions.made.size() == 1);
+}
+
 TEST_CASE("what a ray meets is clicked: a body, a light, or the empty plan, whatever rays lie over it") {
   State state = predicting();
   int seen_object = 0, seen_light = 0, seen_nothing = 0;

@@ -194,7 +194,7 @@ std::string style_of(const Palette& colours) {
 
 constexpr std::string_view script = R"(
 const box = id => document.getElementById(id);
-let at = +location.hash.slice(1) || 0;
+let at = Math.trunc(location.hash.slice(1)) || 0;
 function items(step) {
   let list = [];
   for (let i = step - step % W.complete; i <= step; ++i)

@@ -39,6 +39,9 @@ std::optional<Filled> filled(const Shape2d& shape) {
   return Filled{box, *polygon->fill};
 }
 
+/// Whether a place lies on a body: first a look at its box, for an outline may have many corners.
+bool holds(const DrawnBody& body, const Vec2d& at) { return body.box.meets(at, at) && distance_to(body.item, at) == 0; }
+
 /// Fraction of a label's box that a body covers, by samples: of all of it, or, of a body that could slip through
 /// between these, of what the two boxes share.
 double covered(const DrawnBody& body, const PixelRect& label) {
@@ -56,7 +59,7 @@ double covered(const DrawnBody& body, const PixelRect& label) {
   for (int i = 0; i <= columns; ++i)
     for (int j = 0; j <= rows; ++j) {
       const Vec2d sample = part.min + Vec2d(size.x * i / columns, size.y * j / rows);
-      inside += distance_to(body.item, sample) == 0 ? 1 : 0;
+      inside += holds(body, sample) ? 1 : 0;
     }
   return static_cast<double>(inside) / ((columns + 1) * (rows + 1)) * (size.x * size.y) / (whole.x * whole.y);
 }
@@ -82,8 +85,7 @@ struct Distances {
 /// floor.
 bool is_ground(const Labelled& thing, const DrawnBody& body) {
   if (body.item.target == thing.body) return true;
-  const bool may_stand = !thing.body && apart(body.box, {thing.at, thing.at}) <= 0;  // cheap, where bodies are many
-  if (may_stand && distance_to(body.item, thing.at) == 0) return true;
+  if (!thing.body && holds(body, thing.at)) return true;
   const Vec2d low = thing.at - thing.half, high = thing.at + thing.half;
   const Vec2d size = body.box.max - body.box.min, own = high - low;
   const double slack = thing.body ? 0.5 : 0;  // a ceiling lies over its floor
@@ -92,7 +94,7 @@ bool is_ground(const Labelled& thing, const DrawnBody& body) {
   const bool larger = size.x * size.y > 2 * own.x * own.y;
   const bool same = thing.body && std::abs(size.x - own.x) < 1 && std::abs(size.y - own.y) < 1;
   // A bracket is around what lies in its hollow, but not below it.
-  return around && (larger || same) && distance_to(body.item, thing.at) == 0;
+  return around && (larger || same) && holds(body, thing.at);
 }
 
 /// `on_ground`: whether what a name may lie on counts too.
@@ -118,7 +120,7 @@ std::array<Vec2d, 2> line_to(const DrawnBody& body, const Vec2d& middle, const P
   constexpr int steps = 64;
   for (int i = 0; i <= steps; ++i) {
     const double t = static_cast<double>(i) / steps;
-    if (distance_to(body.item, from + t * way) > 0) continue;
+    if (!holds(body, from + t * way)) continue;
     return {from, from + std::min(t + (whole > 0 ? 5 * unit / whole : 0), 1.0) * way};
   }
   return {from, middle};
@@ -284,9 +286,11 @@ class Places {
     if (!line) return false;
     const auto [from, to] = *line;
     constexpr int steps = 12;
-    for (const DrawnBody& body : bodies_)
-      for (int i = 0; i < steps && !is_ground(thing_, body); ++i)
-        if (distance_to(body.item, from + static_cast<double>(i) / steps * (to - from)) == 0) return true;
+    for (const DrawnBody& body : bodies_) {
+      if (!body.box.meets(from, to) || is_ground(thing_, body)) continue;
+      for (int i = 0; i < steps; ++i)
+        if (holds(body, from + static_cast<double>(i) / steps * (to - from))) return true;
+    }
     return false;
   }
 

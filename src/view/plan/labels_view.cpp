@@ -81,8 +81,7 @@ void add_objects(const Painter& painter, const std::vector<DrawnBody>& bodies, s
                     std::max(box.max.y - thing.at.y, thing.at.y - box.min.y)};
     } else {
       // A wall; objects drawn neither as body nor as wall have no name here.
-      const auto* plane = std::get_if<Plane<double>>(&object.shape);
-      const auto line = plane != nullptr && object.transform.empty() ? plan_line(*plane) : std::nullopt;
+      const auto line = wall_line(object);
       if (!line) continue;
       const Vec2d middle = state.plan.camera.centre;
       thing.at = painter.pixels(line->point + dot(middle - line->point, line->along) * line->along);
@@ -126,6 +125,8 @@ std::vector<Labelled> labelled_things(const Painter& painter, const std::vector<
   for (std::size_t i = 0; i < painter.scene().lights.size(); ++i) {
     const Light& light = painter.scene().lights[i];
     const Target target{TargetKind::light, static_cast<int>(i)};
+    if (painter.scene().lights.size() > few_objects && plan_room.selected != target && plan_room.hovered != target)
+      continue;
     things.push_back({shown_name(painter.state, light.name),
                       painter.pixels(light_place(painter.scene(), light, plan_room.camera, painter.viewport)),
                       Vec2d(14 * unit), true, Target{}, false,

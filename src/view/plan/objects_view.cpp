@@ -11,7 +11,7 @@ namespace raywalk {
 
 namespace {
 
-constexpr double max_pixels = 1e5;  // larger circles are drawn as straight lines
+constexpr double max_pixels = 1e5;  // of larger circles only what is near the pane is drawn
 
 /// A line through `point` along `along` (pixels, unit length) from one end of the pane to the other.
 LineItem across_pane(const Painter& painter, const Vec2d& point, const Vec2d& along) {
@@ -21,8 +21,8 @@ LineItem across_pane(const Painter& painter, const Vec2d& point, const Vec2d& al
   return {nearest - far * along, nearest + far * along, {}};
 }
 
-void draw_plane(Painter& painter, const Plane<double>& plane, const Target& target, Colour body) {
-  const std::optional<PlanLine> cut = plan_line(plane);
+void draw_plane(Painter& painter, const Object& object, const Target& target, Colour body) {
+  const std::optional<PlanLine> cut = wall_line(object);
   if (!cut) return;  // level: above or below the plan
   const Vec2d along(cut->along.x, -cut->along.y);
   LineItem line = across_pane(painter, painter.pixels(cut->point), along);
@@ -40,19 +40,44 @@ void draw_plane(Painter& painter, const Plane<double>& plane, const Target& targ
   }
 }
 
+/// What lies within a large circle near the pane, as a polygon: its rim, and behind that far enough to fill the pane.
+/// None where it is out of sight.
+std::optional<PolygonItem> part_of_circle(const Painter& painter, const Vec2d& centre, double radius) {
+  const Vec2d middle = Vec2d(painter.viewport.width, painter.viewport.height) / 2.0;
+  const double far = painter.viewport.width + painter.viewport.height, off = length(middle - centre);
+  const Vec2d out = off > 0 ? (middle - centre) / off : Vec2d(1, 0), along(-out.y, out.x);
+  const double outside = off - radius;  // of the middle
+  if (!std::isfinite(off) || outside > far) return std::nullopt;
+  const Vec2d rim = middle - outside * out;
+  PolygonItem part;
+  constexpr int pieces = 64;
+  for (int i = 0; i <= pieces; ++i) {
+    const double angle = (2.0 * i / pieces - 1) * far / radius, half = std::sin(angle / 2);
+    part.points.push_back(rim + radius * (std::sin(angle) * along - 2 * half * half * out));
+  }
+  const double depth = std::min(2 * radius, std::max(0.0, -outside) + 2 * far);
+  part.points.push_back(part.points.back() - depth * out);
+  part.points.push_back(part.points.front() - depth * out);
+  return part;
+}
+
 void draw_sphere(Painter& painter, const Sphere<double>& sphere, const Target& target, Colour body) {
   const Vec2d centre = painter.pixels(plan(sphere.centre));
   const double radius = painter.pixels(plan_radius(sphere));
   const PixelRect box{centre - radius, centre + radius};
-  if (radius > max_pixels || box.overlap(painter.pane()) <= 0) return;
+  if (box.overlap(painter.pane()) <= 0) return;
   Stroke outline = painter.outline(target, mix(body.with_alpha(255), painter.colours.ink, 0.5), body.a < 255 ? 1.6 : 1);
-  CircleItem circle{centre, std::max(radius, 1.0), body, outline};
   if (!meets_plan(sphere)) {
     // Entirely above or below the plan: only its outline is visible, and no ray of the plan hits it.
-    circle.fill = body.with_alpha(body.a / 5);
-    circle.stroke->dash = painter.scaled({{2, 3}, 2});
+    body = body.with_alpha(body.a / 5);
+    outline.dash = painter.scaled({{2, 3}, 2});
   }
-  painter.add(circle, target);
+  if (radius <= max_pixels) return painter.add(CircleItem{centre, std::max(radius, 1.0), body, outline}, target);
+  if (auto part = part_of_circle(painter, centre, radius)) {
+    part->fill = body;
+    part->stroke = outline;
+    painter.add(std::move(*part), target);
+  }
 }
 
 void draw_prism(Painter& painter, const Prism<double>& prism, const Target& target, Colour body) {
@@ -89,10 +114,10 @@ void draw_footprint(Painter& painter, const Object& object, const Target& target
 }
 
 void draw_object(Painter& painter, const Object& object, const Target& target, Colour body) {
+  if (std::holds_alternative<Plane<double>>(object.shape)) return draw_plane(painter, object, target, body);
   if (!object.transform.empty()) return draw_footprint(painter, object, target, body);
   std::visit(Overloaded{
                  [&](const Sphere<double>& sphere) { draw_sphere(painter, sphere, target, body); },
-                 [&](const Plane<double>& plane) { draw_plane(painter, plane, target, body); },
                  [&](const Prism<double>& prism) { draw_prism(painter, prism, target, body); },
                  [&](const auto&) { draw_footprint(painter, object, target, body); },
              },

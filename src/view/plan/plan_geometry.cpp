@@ -62,6 +62,14 @@ std::optional<PlanLine> plan_line(const Plane<double>& plane) {
   return PlanLine{plan(plane.point) + offset * unit, {unit.y, -unit.x}};
 }
 
+std::optional<PlanLine> wall_line(const Object& object) {
+  const auto* plane = std::get_if<Plane<double>>(&object.shape);
+  if (plane == nullptr) return std::nullopt;
+  if (object.transform.empty()) return plan_line(*plane);
+  const Affine<double> to_world = affine_of(object.transform);
+  return plan_line({to_world.point(plane->point), to_world.normal(plane->normal)});
+}
+
 Vec2d light_place(const Scene& scene, const Light& light, const PlanCamera& camera, const Viewport& viewport) {
   return std::visit(Overloaded{
                         [&](const DirectionalLight& sun) {

@@ -40,6 +40,8 @@ struct PlanLine {
   Vec2d point, along;
 };
 [[nodiscard]] std::optional<PlanLine> plan_line(const Plane<double>& plane);
+/// The same of an object that is a plane, where its transform puts it; none of any other.
+[[nodiscard]] std::optional<PlanLine> wall_line(const Object& object);
 
 /// The place of a light's symbol. A directional light's is in its direction, within view.
 [[nodiscard]] Vec2d light_place(const Scene& scene, const Light& light, const PlanCamera& camera,

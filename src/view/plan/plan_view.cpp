@@ -80,11 +80,10 @@ PlanCamera fit(const Scene& scene, const Viewport& viewport, double unit) {
   const Vec2d middle = plan(box.min + box.max) / 2.0;
   const double near = length(plan(box.max - box.min));
   for (const Object& object : scene.objects)
-    if (const auto* plane = std::get_if<Plane<double>>(&object.shape); plane && object.transform.empty())
-      if (const auto line = plan_line(*plane)) {
-        const Vec2d nearest = line->point + dot(middle - line->point, line->along) * line->along;
-        if (length(nearest - middle) < near) include(nearest);
-      }
+    if (const auto line = wall_line(object)) {
+      const Vec2d nearest = line->point + dot(middle - line->point, line->along) * line->along;
+      if (length(nearest - middle) < near) include(nearest);
+    }
   const Vec2d size = plan(box.max) - plan(box.min);
   // The margins are for symbols, labels and handles, and these keep off the sky, whose ring has round corners.
   const double margin = (scene.sky ? sky_depth + 50 : 34) * unit;

@@ -67,11 +67,11 @@ Vec2d clamped(const Vec2d& v) { return {std::clamp(v.x, -farthest, farthest), st
 /// Clamps to plausible pointer positions.
 Vec2d near_pane(const Vec2d& at) { return {std::clamp(at.x, -1e6, 1e6), std::clamp(at.y, -1e6, 1e6)}; }
 
-/// A press and a release in one place.
-void click(State& state, const Target& target) {
+/// A press and a release in one place, `at` pixels.
+void click(State& state, const Target& target, const Vec2d& at) {
   if (state.walk.mode != Mode::trace) return;
   if (const auto asked = prediction_asked(state); asked && asked->what == PredictionKind::end)
-    return action::GuessEnd{body_at(state, *state.plan.pointer)}.apply(state);
+    return action::GuessEnd{body_at(state, at)}.apply(state);
   if (target.kind == TargetKind::cell) update(state, action::JumpToCell{target.index});
   if (target.kind == TargetKind::ray) update(state, action::JumpToRay{target.index});
 }
@@ -161,7 +161,7 @@ void end_drag(State& state) {
   state.plan.drag.reset();
   if (drag.aims) return;
   if (drag.inks) return InkRoom::lift(state, drag.moved);
-  if (drag.pans && !drag.moved) return click(state, drag.target);
+  if (drag.pans && !drag.moved) return click(state, drag.target, drag.grabbed_px);
   if (!drag.scene || *drag.scene == state.scene()) return;
   state.document.last_edit.reset();
   remember(state, *drag.scene);
