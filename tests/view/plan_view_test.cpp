@@ -32,6 +32,7 @@ TEST_CASE("pixels and scene units turn into each other") {
 TEST_CASE("a sphere so large that it is a wall is drawn where it meets the pane") {
   State near = classic_state();
   Scene scene = near.scene();
+  scene.objects.resize(1);
   const Vec2d inside(6, 0), outside(2, 0);
   for (const double radius : {100.0, 1e4, 1e7, 1e12}) {
     scene.objects[0].shape = Sphere<double>{{3 + radius, 0, 0}, radius};
