@@ -158,8 +158,10 @@ void declare_lesson(CLI::App& program, Run& run) {
   const auto names = std::make_shared<std::vector<std::string>>();
   check.add_option("NAME", *names, "Lessons, such as 5 or 05-refraction, or folders; left out: all")->type_name("");
   const auto seeds = std::make_shared<int>(LessonCheckSettings{}.seeds);
-  add_whole(check, "--seeds", *seeds, 0, 1000,
-            "With how many other random numbers claims have to hold too, where some are drawn (20 when left out)");
+  add_whole(
+      check, "--seeds", *seeds, 0, 1000,
+      fmt::format("With how many other random numbers claims have to hold too, where some are drawn ({} when left out)",
+                  *seeds));
   check.footer(
       "A lesson fails on a step that cannot be reached, a claim that the trace does not bear out, a text that is\n"
       "missing in a language, a number in a text that nothing checks, and words such as \"half\" or \"twice\" that no\n"

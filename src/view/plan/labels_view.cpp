@@ -11,8 +11,12 @@ namespace raywalk {
 
 namespace {
 
-/// With more objects than this, only those selected or hovered are named.
-constexpr std::size_t few_objects = 40;
+/// Whether one of `count` objects, or lights, is named: all of a few, of more only what is selected or hovered.
+bool is_named(const Painter& painter, std::size_t count, const Target& target) {
+  constexpr std::size_t few = 40;
+  const PlanRoom& plan_room = painter.state.plan;
+  return count <= few || plan_room.selected == target || plan_room.hovered == target;
+}
 
 /// Relative luminance and contrast as defined in WCAG 2.1.
 double luminance(Colour c) {
@@ -57,8 +61,7 @@ void add_objects(const Painter& painter, const std::vector<DrawnBody>& bodies, s
   for (std::size_t i = 0; i < painter.scene().objects.size(); ++i) {
     const Object& object = painter.scene().objects[i];
     const Target target{TargetKind::object, static_cast<int>(i)};
-    if (painter.scene().objects.size() > few_objects && state.plan.selected != target && state.plan.hovered != target)
-      continue;
+    if (!is_named(painter, painter.scene().objects.size(), target)) continue;
     Labelled thing{shown_name(state, object.name),
                    Vec2d(0.0),
                    Vec2d(0.0),
@@ -125,8 +128,7 @@ std::vector<Labelled> labelled_things(const Painter& painter, const std::vector<
   for (std::size_t i = 0; i < painter.scene().lights.size(); ++i) {
     const Light& light = painter.scene().lights[i];
     const Target target{TargetKind::light, static_cast<int>(i)};
-    if (painter.scene().lights.size() > few_objects && plan_room.selected != target && plan_room.hovered != target)
-      continue;
+    if (!is_named(painter, painter.scene().lights.size(), target)) continue;
     things.push_back({shown_name(painter.state, light.name),
                       painter.pixels(light_place(painter.scene(), light, plan_room.camera, painter.viewport)),
                       Vec2d(14 * unit), true, Target{}, false,

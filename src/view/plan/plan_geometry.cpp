@@ -52,7 +52,11 @@ std::optional<Bounds<double>> footprint_of(const Object& object) {
   return box;
 }
 
-std::optional<PlanLine> plan_line(const Plane<double>& plane) {
+std::optional<PlanLine> wall_line(const Object& object) {
+  const auto* own = std::get_if<Plane<double>>(&object.shape);
+  if (own == nullptr) return std::nullopt;
+  const Affine<double> to_world = affine_of(object.transform);
+  const Plane<double> plane{to_world.point(own->point), to_world.normal(own->normal)};
   const Vec2d across = plan(plane.normal);
   const double size = length(across);
   if (!(size > 1e-9 * length(plane.normal))) return std::nullopt;
@@ -60,14 +64,6 @@ std::optional<PlanLine> plan_line(const Plane<double>& plane) {
   // n.x x + n.y y = n.point where z = 0; the point of the line nearest to plan(plane.point).
   const double offset = plane.normal.z * plane.point.z / size;
   return PlanLine{plan(plane.point) + offset * unit, {unit.y, -unit.x}};
-}
-
-std::optional<PlanLine> wall_line(const Object& object) {
-  const auto* plane = std::get_if<Plane<double>>(&object.shape);
-  if (plane == nullptr) return std::nullopt;
-  if (object.transform.empty()) return plan_line(*plane);
-  const Affine<double> to_world = affine_of(object.transform);
-  return plan_line({to_world.point(plane->point), to_world.normal(plane->normal)});
 }
 
 Vec2d light_place(const Scene& scene, const Light& light, const PlanCamera& camera, const Viewport& viewport) {

@@ -34,13 +34,11 @@ inline constexpr std::size_t few_handled = 12;
 /// An object's box, with its transform; none if it is empty or infinite.
 [[nodiscard]] std::optional<Bounds<double>> footprint_of(const Object& object);
 
-/// The intersection of a plane with the plan: a point and a unit direction, the front to its left; none if the plane is
-/// level.
+/// The intersection of a plane, where its transform puts it, with the plan: a point and a unit direction, the front to
+/// its left; none if the plane is level, and of any other object.
 struct PlanLine {
   Vec2d point, along;
 };
-[[nodiscard]] std::optional<PlanLine> plan_line(const Plane<double>& plane);
-/// The same of an object that is a plane, where its transform puts it; none of any other.
 [[nodiscard]] std::optional<PlanLine> wall_line(const Object& object);
 
 /// The place of a light's symbol. A directional light's is in its direction, within view.
