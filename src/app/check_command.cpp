@@ -113,7 +113,7 @@ void declare_check(CLI::App& program, Run& run) {
   numerics.add_flag("--full", to.full, "100 million rays a family instead of a million; can be stopped and goes on");
   numerics.add_flag("--list", to.list, "Only name the families");
   constexpr int max_rays = 1 << 30, max_threads = 1024;
-  add_whole(numerics, "--rays", to.rays, 1, max_rays, "Rays a family");
+  add_whole(numerics, "--rays", to.rays, 1, max_rays, "Rays a family, over its lines; each gets at least 20");
   add_parsed(numerics, "--seed", to.seed, parse_seed, "N", "a whole number from 0 to 2^64 - 1",
              "Which rays (1 when left out)");
   add_whole(numerics, "--threads", to.threads, 0, max_threads,

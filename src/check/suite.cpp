@@ -14,6 +14,7 @@ namespace raywalk::check {
 namespace {
 
 constexpr std::uint64_t chunk_rays = 1 << 12;
+constexpr std::uint64_t least_rays = 20;  // of a line: not every ray that is aimed can be formed
 constexpr std::size_t max_state_bytes = 1 << 24;
 
 const Tested* find(const std::vector<Tested>& lines, const Family& family, const TableLine& line) {
@@ -82,7 +83,7 @@ Result<SuiteResult> run_suite(const std::vector<Family>& families, const SuiteOp
   }
   std::uint64_t to_do = 0;
   const auto rays_of = [&](const Family& family) {
-    return std::max<std::uint64_t>(1, options.rays / std::max<std::size_t>(1, family.lines.size()));
+    return std::max(least_rays, options.rays / std::max<std::size_t>(1, family.lines.size()));
   };
   for (const Family& family : families)
     for (const TableLine& line : family.lines)

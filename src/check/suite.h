@@ -13,7 +13,7 @@
 namespace raywalk::check {
 
 struct SuiteOptions {
-  std::uint64_t rays = 1'000'000;  ///< per family, over all of its lines
+  std::uint64_t rays = 1'000'000;  ///< per family, over all of its lines, each of which gets at least 20
   std::uint64_t seed = 1;
   int threads = 1;        ///< 0: one per hardware thread
   std::string state;      ///< the file that keeps finished lines; empty: none

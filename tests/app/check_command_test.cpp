@@ -29,6 +29,14 @@ TEST_CASE("check numerics judges rays of one family, and keeps what is done") {
   CHECK_THAT(other.err, contains("this keeps another run"));
 }
 
+TEST_CASE("a check of a single ray has enough of each line to judge it") {
+  const Folder folder;
+  const Outcome outcome = folder.run({"check", "numerics", "normals", "--rays", "1"});
+  if (outcome.err.find(without_oracle) != std::string::npos) return;
+  CHECK(outcome.exit_code == 0);
+  CHECK_THAT(outcome.out, contains("flat_polygon") && !contains("BROKEN"));
+}
+
 TEST_CASE("a check that was stopped before it kept anything does not say that it goes on from there") {
   const Folder folder;
   if (folder.run({"check", "numerics", "--list"}).err.find(without_oracle) != std::string::npos) return;

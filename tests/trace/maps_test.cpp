@@ -164,7 +164,7 @@ TEST_CASE("between 0 and 1 a mask interpolates, and a checker has one of the two
   CHECK(shade_along(scene, eye, {0.7, 0.7, 0}) == shade_along(first, eye, {0.7, 0.7, 0}));
 }
 
-TEST_CASE("paths and distributed rays agree on what maps make of metal and glass") {
+TEST_CASE("paths and distributed rays agree on what maps make of metal and glass", "[odds]") {
   const auto ramp = pixels_of(4, 1, {Rgbd(0.05), Rgbd(0.3), Rgbd(0.6), Rgbd(1.0)});
   Scene scene;
   scene.render.sampler = Sampler::random;
@@ -197,7 +197,8 @@ TEST_CASE("paths and distributed rays agree on what maps make of metal and glass
   }
 }
 
-TEST_CASE("a map of what is emitted shows alike to paths by light and by chance, to photons, and on patches") {
+TEST_CASE("a map of what is emitted shows alike to paths by light and by chance, to photons, and on patches",
+          "[odds]") {
   Scene scene;
   scene.render.sampler = Sampler::random;
   const auto panes = pixels_of(2, 2, {Rgbd(0.0), Rgbd(1.0), Rgbd(0.25), Rgbd(0.0)});

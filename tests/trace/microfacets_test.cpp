@@ -101,7 +101,7 @@ TEST_CASE("gold is yellow, copper red, silver and aluminium have hardly a colour
   }
 }
 
-TEST_CASE("a white mirror of small mirrors is white: nothing is lost or won, however rough it is") {
+TEST_CASE("a white mirror of small mirrors is white: nothing is lost or won, however rough it is", "[odds]") {
   std::size_t number = 0;
   for (const double alpha : alphas) {
     const Microsurface<double> mirrors = mirrors_of(alpha);
@@ -182,7 +182,7 @@ TEST_CASE("small mirrors reflect the same both ways, are never dark below 0 or u
   }
 }
 
-TEST_CASE("directions from small mirrors pass the chi-square test") {
+TEST_CASE("directions from small mirrors pass the chi-square test", "[odds]") {
   std::size_t number = 0;
   for (const double alpha : {0.1, 0.4, 1.0})
     for (const double cos : {1.0, 0.6, 0.1}) {

@@ -29,7 +29,8 @@ Material with_heights(const std::shared_ptr<const Image>& pixels, double width, 
 
 }  // namespace
 
-TEST_CASE("a matt floor of one leaning normal loses what it would send below, (1 - cos) / 2, and a mirror no more") {
+TEST_CASE("a matt floor of one leaning normal loses what it would send below, (1 - cos) / 2, and a mirror no more",
+          "[odds]") {
   Scene scene;
   scene.render.sampler = Sampler::random;
   scene.background = Rgbd(1.0);

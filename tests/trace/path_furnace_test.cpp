@@ -32,7 +32,7 @@ int length_of(const Row& row) {
 
 }  // namespace
 
-TEST_CASE("furnaces of furnace.tsv, by paths") {
+TEST_CASE("furnaces of furnace.tsv, by paths", "[odds]") {
   int rows = 0;
   for (const Row& row : read_table("furnace.tsv")) {
     INFO(row.text("id"));

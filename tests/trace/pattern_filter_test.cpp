@@ -60,7 +60,7 @@ double largest_difference(const Picture<double>& a, const Picture<double>& b) {
 
 }  // namespace
 
-TEST_CASE("a filtered checker errs by less than a tenth of one sample, towards the horizon") {
+TEST_CASE("a filtered checker errs by less than a tenth of one sample, towards the horizon", "[odds]") {
   constexpr int width = 160, height = 120, fine = 33;
   const auto sampled = picture<double>(floor_scene(CheckerFilter::none), width, height);
   const auto filtered = picture<double>(floor_scene(CheckerFilter::closed), width, height);

@@ -70,7 +70,7 @@ Bsdf<double> glass_surface(const Glass& glass, Side side, double cos) {
 
 }  // namespace
 
-TEST_CASE("clear rough glass is not to be seen in even light, from both sides, however rough it is") {
+TEST_CASE("clear rough glass is not to be seen in even light, from both sides, however rough it is", "[odds]") {
   std::size_t number = 0;
   for (const double alpha : {0.001, 0.05, 0.1, 0.3, 1.0})
     for (const double ior : {1.5, 2.4}) {
@@ -86,7 +86,7 @@ TEST_CASE("clear rough glass is not to be seen in even light, from both sides, h
     }
 }
 
-TEST_CASE("a path's surface of rough glass gives all light back, by the lobes that it draws") {
+TEST_CASE("a path's surface of rough glass gives all light back, by the lobes that it draws", "[odds]") {
   std::size_t number = 0;
   for (const double alpha : {0.1, 0.6}) {
     if (left_out(alpha > 0.5, 2)) continue;
@@ -200,7 +200,8 @@ TEST_CASE("rough glass is never dark below 0 or undefined at grazing angles, and
   }
 }
 
-TEST_CASE("directions from rough glass pass the chi-square test, reflected and transmitted, from both sides") {
+TEST_CASE("directions from rough glass pass the chi-square test, reflected and transmitted, from both sides",
+          "[odds]") {
   std::size_t number = 0;
   for (const double alpha : {0.5, 1.0})
     for (const Side side : both_sides)
@@ -222,8 +223,8 @@ TEST_CASE("directions from rough glass pass the chi-square test, reflected and t
         }
 }
 
-TEST_CASE(
-    "directions of a path's rough glass pass the chi-square test, on both sides together and beside what is matt") {
+TEST_CASE("directions of a path's rough glass pass the chi-square test, on both sides together and beside what is matt",
+          "[odds]") {
   std::size_t number_of_case = 0;
   for (const Side side : both_sides)
     for (const double cos : {0.95, 0.3}) {

@@ -50,7 +50,7 @@ Bsdf<double> matt_surface(const RoughDiffuse<double>& rough, const Rgbd& albedo,
 
 }  // namespace
 
-TEST_CASE("a white matt surface is white, however rough it is") {
+TEST_CASE("a white matt surface is white, however rough it is", "[odds]") {
   std::size_t number = 0;
   for (const double roughness : matt_roughnesses)
     for (const double cos : {1.0, 0.8, 0.4, 0.1, 0.02}) {
@@ -130,7 +130,7 @@ TEST_CASE("matt surfaces scatter the same both ways, never less than nothing, an
   }
 }
 
-TEST_CASE("directions from a rough matt surface pass the chi-square test, and weigh what it scatters") {
+TEST_CASE("directions from a rough matt surface pass the chi-square test, and weigh what it scatters", "[odds]") {
   const RoughDiffuse<double> rough(0.8);
   for (const double cos : {1.0, 0.3}) {
     if (left_out(cos > 0.5, 2)) continue;

@@ -156,7 +156,8 @@ TEST_CASE("a matt surface keeps every bit beside a rough one") {
   CHECK(same_bits(plain, beside));
 }
 
-TEST_CASE("what glows is found through rough glass and on rough matt walls by its light and by chance alike") {
+TEST_CASE("what glows is found through rough glass and on rough matt walls by its light and by chance alike",
+          "[odds]") {
   const Scene scene = rough_corner();
   for (const Vec3d& at : {Vec3d(-0.6, 0.8, 1.2), Vec3d(0, 1, 0.8), Vec3d(2, 0.1, 1.5), Vec3d(-0.4, -1, 0.9)}) {
     const Estimate lights = light_along(scene, {-4, 0, 1}, at, 8000, {4, never, PathStrategy::lights}, 1);

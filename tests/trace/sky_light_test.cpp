@@ -179,7 +179,7 @@ TEST_CASE("a sky's pdf integrates to 1") {
   }
 }
 
-TEST_CASE("a constant sky lights a level floor with pi L, an overcast one with 7/9 pi of its zenith") {
+TEST_CASE("a constant sky lights a level floor with pi L, an overcast one with 7/9 pi of its zenith", "[odds]") {
   CHECK(irradiance(SkyLight(constant_sky(), Rgbd(0.0))) == Approx(sky_pi).epsilon(1e-12));
   CHECK(irradiance(SkyLight({OvercastSky{Rgbd(2.0)}}, Rgbd(0.0))) == Approx(2 * 7 * sky_pi / 9).epsilon(5e-5));
   CHECK(irradiance(SkyLight({GradientSky{Rgbd(0.5), Rgbd(2.0)}}, Rgbd(9.0))) ==

@@ -56,6 +56,17 @@ TEST_CASE("a sphere so large that it is a wall is drawn where it meets the pane"
   for (const Vec2d& at : {Vec2d(0, 0), Vec2d(800, 600), Vec2d(400, 300)}) CHECK(distance_to(drawn[0], at) == 0);
 }
 
+TEST_CASE("a plan shows all of a single sphere, but of one like a wall what is near the eye") {
+  Scene scene = classic_state().scene();
+  scene.objects.resize(1);
+  const auto fitted_to = [&](double radius) {
+    scene.objects[0].shape = Sphere<double>{{3 + radius, 0, 0}, radius};
+    return fit(scene, {800, 600}).pixels_per_unit;
+  };
+  CHECK(fitted_to(50) * 100 < 600);
+  CHECK(fitted_to(1e6) > fitted_to(50));
+}
+
 TEST_CASE("a plane that is turned is drawn as the one that stands there") {
   Scene scene = classic_state().scene();
   scene.objects[0].shape = Plane<double>{{1, 2, 0}, {-1, 0, 0}};

@@ -86,8 +86,7 @@ void add_objects(const Painter& painter, const std::vector<DrawnBody>& bodies, s
       // A wall; objects drawn neither as body nor as wall have no name here.
       const auto line = wall_line(object);
       if (!line) continue;
-      const Vec2d middle = state.plan.camera.centre;
-      thing.at = painter.pixels(line->point + dot(middle - line->point, line->along) * line->along);
+      thing.at = painter.pixels(line->nearest_to(state.plan.camera.centre));
       thing.half = Vec2d(14 * painter.sizes.unit);
     }
     things.push_back(std::move(thing));

@@ -13,19 +13,18 @@ namespace {
 
 constexpr double max_pixels = 1e5;  // of larger circles only what is near the pane is drawn
 
-/// A line through `point` along `along` (pixels, unit length) from one end of the pane to the other.
-LineItem across_pane(const Painter& painter, const Vec2d& point, const Vec2d& along) {
-  const Vec2d middle = Vec2d(painter.viewport.width, painter.viewport.height) / 2.0;
-  const Vec2d nearest = point + dot(middle - point, along) * along;
+/// A line (in pixels) from one end of the pane to the other.
+LineItem across_pane(const Painter& painter, const PlanLine& line) {
+  const Vec2d nearest = line.nearest_to(Vec2d(painter.viewport.width, painter.viewport.height) / 2.0);
   const double far = painter.viewport.width + painter.viewport.height;
-  return {nearest - far * along, nearest + far * along, {}};
+  return {nearest - far * line.along, nearest + far * line.along, {}};
 }
 
 void draw_plane(Painter& painter, const Object& object, const Target& target, Colour body) {
   const std::optional<PlanLine> cut = wall_line(object);
   if (!cut) return;  // level: above or below the plan
   const Vec2d along(cut->along.x, -cut->along.y);
-  LineItem line = across_pane(painter, painter.pixels(cut->point), along);
+  LineItem line = across_pane(painter, {painter.pixels(cut->point), along});
   const Stroke outline = painter.outline(target, body, 2);
   line.stroke = outline;
   painter.add_clipped(line, target);

@@ -34,11 +34,13 @@ inline constexpr std::size_t few_handled = 12;
 /// An object's box, with its transform; none if it is empty or infinite.
 [[nodiscard]] std::optional<Bounds<double>> footprint_of(const Object& object);
 
-/// The intersection of a plane, where its transform puts it, with the plan: a point and a unit direction, the front to
-/// its left; none if the plane is level, and of any other object.
 struct PlanLine {
-  Vec2d point, along;
+  Vec2d point, along;  ///< `along`: unit length
+  [[nodiscard]] Vec2d nearest_to(const Vec2d& at) const { return point + dot(at - point, along) * along; }
 };
+
+/// The intersection of a plane, where its transform puts it, with the plan, the front to its left; none if the plane is
+/// level, and of any other object.
 [[nodiscard]] std::optional<PlanLine> wall_line(const Object& object);
 
 /// The place of a light's symbol. A directional light's is in its direction, within view.

@@ -36,7 +36,8 @@ std::optional<Bounds<double>> extent_of(const Object& object) {
 
 /// Adds the objects to a box. A ground or a fence that would make all others tiny counts by its nearest point.
 void include_objects(const Scene& scene, Bounds<double>& box) {
-  constexpr double vast = 4;  // times all else together
+  constexpr double vast = 4;          // times all else together
+  constexpr double vast_alone = 100;  // where all else is eye, screen and lights
   constexpr std::size_t most = 4;
   std::vector<Bounds<double>> largest;  // in falling order
   bool others = false;
@@ -52,7 +53,7 @@ void include_objects(const Scene& scene, Bounds<double>& box) {
   }
   for (; !largest.empty(); largest.pop_back()) {
     const Bounds<double>& next = largest.back();
-    if (others && across(next) > vast * across(box)) break;
+    if (across(next) > (others ? vast : vast_alone) * across(box)) break;
     box.include(next);
     others = true;
   }
@@ -81,7 +82,7 @@ PlanCamera fit(const Scene& scene, const Viewport& viewport, double unit) {
   const double near = length(plan(box.max - box.min));
   for (const Object& object : scene.objects)
     if (const auto line = wall_line(object)) {
-      const Vec2d nearest = line->point + dot(middle - line->point, line->along) * line->along;
+      const Vec2d nearest = line->nearest_to(middle);
       if (length(nearest - middle) < near) include(nearest);
     }
   const Vec2d size = plan(box.max) - plan(box.min);
