@@ -18,6 +18,10 @@ Ui Interface::ui(const State& state, const Fonts& fonts, float unit, float dpi) 
 
 void Interface::grant(const Ui& ui) {
   constexpr float beyond = 1e6f;  // beyond either end of the help text
+  // What is asked for lies in a pane that the plan has folded away.
+  const auto unfold = [&] {
+    if (ui.state.focus.on) ui.act(action::SetFocus{false});
+  };
   for (const WindowWish wish : std::exchange(wishes_, {})) {
     switch (wish) {
       case WindowWish::full_screen:
@@ -27,10 +31,12 @@ void Interface::grant(const Ui& ui) {
         wanted_menu_ = (shown_menu_ + 1) % menu_count;
         break;
       case WindowWish::image_settings:
+        unfold();
         ui.act(action::SetTab{PictureRoom::tab});
         open_settings_ = true;
         break;
       case WindowWish::cost_knobs:
+        unfold();
         ui.act(action::SetTab{CostRoom::tab});
         open_knobs_ = true;
         break;
@@ -38,6 +44,7 @@ void Interface::grant(const Ui& ui) {
         open_breakpoints_ = true;
         break;
       case WindowWish::properties:
+        unfold();
         focus_properties_ = true;
         break;
       case WindowWish::line_up:
@@ -194,8 +201,8 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   } else {
     code_pane(with, layout_.side);
   }
-  const bool settings = std::exchange(open_settings_, false), knobs = std::exchange(open_knobs_, false);
-  if (!embedded && !folds) tabs_.draw(with, layout_.tabs, picture, settings, knobs);
+  if (!embedded && !folds)
+    tabs_.draw(with, layout_.tabs, picture, std::exchange(open_settings_, false), std::exchange(open_knobs_, false));
   breakpoints_.draw(with, layout_.side, std::exchange(open_breakpoints_, false));
   ImGui::End();
 

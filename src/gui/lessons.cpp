@@ -5,6 +5,7 @@
 #include "text/language.h"
 #include "view/lesson/lesson_panel.h"
 #include "view/lesson/typed_number.h"
+#include "view/text/text.h"
 
 #include <fmt/format.h>
 
@@ -197,12 +198,17 @@ bool offers_cure(const Ui& ui, const LessonPanel& panel) {
 void LessonPane::number(const Ui& ui, const LessonPanel& panel, bool is_new) {
   const bool revealed = ui.state.lessons.revealed;
   if (is_new && !revealed) ImGui::SetKeyboardFocusHere();
+  // While nobody types here the guess decides: it may be of another visit, or typed elsewhere.
+  const std::optional<double>& guess = ui.state.lessons.guess.number;
+  if (!types_ && typed_guess(ui.state.lessons, number_) != guess)
+    number_ = guess ? typeset_number(fmt::format("{:.10g}", *guess), ui.state.appearance.language) : "";
   char typed[32] = {};
   number_.copy(typed, sizeof typed - 1);
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x * 0.5f);
   const bool entered =
       ImGui::InputText("##number", typed, sizeof typed,
                        ImGuiInputTextFlags_EnterReturnsTrue | (revealed ? ImGuiInputTextFlags_ReadOnly : 0));
+  types_ = ImGui::IsItemActive();
   ui.publish("lesson-number");
   if (number_ != typed) {
     number_ = typed;

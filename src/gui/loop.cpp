@@ -89,7 +89,7 @@ class Loop::Parts {
     pass_time();
     for (const KeyPress& key : window_.take_keys()) press(key);
     if (window_.take_key_release()) let_go();
-    if (window_.take_close_request()) act(action::Quit{});
+    if (window_.take_close_request()) act_from_outside(action::Quit{});
     if (!broken_ && !window_.minimised()) {
       work_on_structures();
       if (frames_due_ > 0 && structures_.patience() == 0) frame(nullptr);
@@ -161,7 +161,14 @@ class Loop::Parts {
     if (!options_.demo_path.empty()) note_failure(action);
   }
 
+  // A film in the making would show what is done meanwhile: it ends here.
+  void act_from_outside(const Action& action) {
+    if (film_) finish_film();
+    act(action);
+  }
+
   Result<void> act_by_outline(std::string_view does, std::string_view typed) {
+    if (film_) finish_film();
     constexpr std::string_view by_name = "command ";
     if (does.starts_with(by_name)) {
       const std::string_view name = does.substr(by_name.size());
@@ -509,7 +516,7 @@ bool Loop::turn() { return parts_->turn(); }
 
 double Loop::patience() const { return parts_->patience(); }
 
-void Loop::act(const Action& action) { parts_->act(action); }
+void Loop::act(const Action& action) { parts_->act_from_outside(action); }
 
 Result<void> Loop::act_by_outline(std::string_view does, std::string_view typed) {
   return parts_->act_by_outline(does, typed);

@@ -106,6 +106,7 @@ class LessonPane {
   void number(const Ui& ui, const LessonPanel& panel, bool is_new);
 
   std::string number_;     ///< as typed
+  bool types_ = false;     ///< whether somebody types it
   std::string shown_for_;  ///< the step that `number_` and the scrolling belong to
 };
 

@@ -2,6 +2,7 @@
 
 #include "render/parallel.h"
 #include "scene/warnings.h"
+#include "study/shot.h"
 #include "text/file.h"
 
 #include <nlohmann/json.hpp>
@@ -170,9 +171,12 @@ bool LiveImage::rests(const State& state) const {
 
 namespace {
 
+/// As many as the largest screens have: a scene may ask for a picture that no memory holds.
+constexpr double most_pixels = 3840 * 2160;
+
 PreviewSettings preview_settings(const State& state) {
   PreviewSettings settings;
-  settings.size = state.scene().image;
+  settings.size = study::shrunk(state.scene().image, most_pixels);
   settings.accelerator = state.picture.settings.accelerator;
   settings.samples = samples_seen(state, state.picture.settings.samples);
   settings.precision = state.picture.settings.single_precision ? Precision::float_ : Precision::double_;

@@ -125,6 +125,8 @@ std::vector<TreeLabel> labels_of(const Ui& ui, const TreePanel& tree, const std:
     if (has_label(tree.nodes[i]) && is_whole(tree.nodes[i])) lit.push_back(i);
   const auto current = std::find_if(lit.begin(), lit.end(), [&](std::size_t i) { return tree.nodes[i].current; });
   if (current != lit.end()) std::rotate(lit.begin(), current, current + 1);
+  constexpr std::size_t most = 40;  // no pane has room for so many, and of a wide tree thousands may be lit
+  lit.resize(std::min(lit.size(), most));
   for (const std::size_t i : lit) {
     const TreeNode& node = tree.nodes[i];
     // In one line, or where that covers more, or beside others, in two; in three where that alone covers nothing.

@@ -205,7 +205,11 @@ class Outliner {
     OutlineItem& region = open("tree", say("command.tab_tree.label"), true);
     const TreePanel panel = tree_panel(state_);
     if (panel.nodes.empty()) return static_cast<void>(add(region, Role::text, "empty", say("tree.empty")));
-    add_rays(add(region, Role::list, "rays", region.name), panel, -1);
+    std::vector<std::vector<int>> rays_of(panel.nodes.size() + 1);
+    for (std::size_t i = 0; i < panel.nodes.size(); ++i)
+      if (!panel.nodes[i].future)
+        rays_of[static_cast<std::size_t>(panel.nodes[i].parent + 1)].push_back(static_cast<int>(i));
+    add_rays(add(region, Role::list, "rays", region.name), panel, rays_of, -1);
   }
 
   void plan() {
@@ -360,16 +364,16 @@ class Outliner {
     offer({}, say("predict.nothing"));
   }
 
-  void add_rays(OutlineItem& parent, const TreePanel& panel, int of) {
-    for (std::size_t i = 0; i < panel.nodes.size(); ++i) {
-      const TreeNode& node = panel.nodes[i];
-      if (node.parent != of || node.future) continue;
+  /// `rays_of`: by parent, from -1 on, the nodes below it.
+  void add_rays(OutlineItem& parent, const TreePanel& panel, const std::vector<std::vector<int>>& rays_of, int of) {
+    for (const int i : rays_of[static_cast<std::size_t>(of + 1)]) {
+      const TreeNode& node = panel.nodes[static_cast<std::size_t>(i)];
       std::string name = node_text(state_, node);
       for (char& c : name)
         if (c == '\n') c = ' ';
       OutlineItem& entry = add(parent, Role::entry, std::to_string(node.ray), name);
       entry.current = node.current;
-      add_rays(entry, panel, static_cast<int>(i));
+      add_rays(entry, panel, rays_of, i);
     }
   }
 

@@ -103,7 +103,7 @@ TEST_CASE("the entries of the menus") {
   update(bench.state, action::Undo{});
   update(bench.state, action::Select{{TargetKind::object, 0}});
   update(bench.state, action::AddObject{action::ObjectKind::polygon});
-  bench.state.document.redo.push_back(bench.state.scene());
+  bench.state.document.redo.push_back(std::make_shared<const Undone>(bench.state.scene()));
   bench.state.appearance.ui_scale = 1.5;
   bench.frames(2);
 

@@ -155,6 +155,28 @@ TEST_CASE("a number that nobody typed has no field once the answer is shown") {
   CHECK(bench.has("lesson-number"));
 }
 
+TEST_CASE("a lesson's field holds what was guessed, and nothing once that is forgotten") {
+  Bench bench(with_lessons());
+  bench.resize(1280, 720);
+  update(bench.state, action::ShowLessons{true});
+  update(bench.state, action::SetLessonOptions{false, true});
+  update(bench.state, action::OpenLesson{"18-rays-with-width"});
+  update(bench.state, action::GoToLessonStep{1});
+  bench.frames(2);
+  bench.type("0.5");
+  CHECK(bench.state.lessons.guess.number == 0.5);
+  // Elsewhere and back to the question.
+  update(bench.state, action::ShowLessons{false});
+  bench.frames(2);
+  update(bench.state, action::ShowLessons{true});
+  update(bench.state, action::GoToLessonStep{1});
+  REQUIRE_FALSE(bench.state.lessons.guess.number);
+  bench.frames(2);
+  bench.click("lesson-number");
+  bench.type("0.25");
+  CHECK(bench.state.lessons.guess.number == 0.25);
+}
+
 TEST_CASE("everything of a lesson fits into its pane, in both languages") {
   for (const float scale : {1.0f, 1.5f}) {
     Bench bench(with_lessons());

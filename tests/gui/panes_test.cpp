@@ -382,6 +382,20 @@ TEST_CASE("the knobs of Cost open at their button") {
   CHECK(std::abs(popup.y - button.bottom()) <= 1);
 }
 
+TEST_CASE("what a key asks for is there, though the plan had all the room") {
+  for (const auto& [key, item] : {std::pair("Shift+F3", "cost-knobs-popup"), std::pair(",", "image-settings-popup")}) {
+    CAPTURE(key);
+    Bench bench;
+    update(bench.state, action::SetFocus{true});
+    bench.frames(2);
+    REQUIRE(bench.state.focus.on);
+    bench.key(key);
+    bench.frames(2);
+    CHECK_FALSE(bench.state.focus.on);
+    CHECK(bench.has(item));
+  }
+}
+
 TEST_CASE("a notice is taken away by its cross") {
   Bench bench(at(0));
   bench.state.document.notice =

@@ -185,6 +185,23 @@ TEST_CASE("both sides of Snell's law are equal, and the mirror's angle is the on
   CHECK(mirrored > 3);
 }
 
+TEST_CASE("a ray that depth forbids is beyond the depth, also where the effects bar limits it") {
+  State state = walking("mirrors");
+  REQUIRE(state.scene().limits.depth > 2);
+  update(state, action::LimitDepth{2});
+  int seen = 0;
+  for (int position = 1; position <= state.walk.timeline->steps(); ++position) {
+    const auto* stub = std::get_if<RayNotFormed>(&state.walk.timeline->event(position - 1).detail);
+    if (stub == nullptr || stub->why != Ending::depth) continue;
+    state.walk.position = position;
+    const EquationRow* row = row_with(equation_panel(state), " > ");
+    REQUIRE(row != nullptr);
+    CHECK(row->values == std::vector<double>{2, 1, 2});
+    ++seen;
+  }
+  CHECK(seen > 0);
+}
+
 TEST_CASE("total internal reflection shows a sine above 1") {
   State state = walking("glass");
   int seen = 0;

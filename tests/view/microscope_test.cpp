@@ -212,6 +212,21 @@ TEST_CASE("acne is called acne, and robust numerics are said to leave") {
   CHECK(row->robust == "leaves");
 }
 
+TEST_CASE("a t near 0 keeps its power of ten") {
+  State state = walking("classic", false);
+  const auto seen = find(state, [](const Specimen& each) { return each.robust && each.naive; });
+  REQUIRE(seen);
+  Specimen near = *seen;
+  near.robust->t = 1.2345678901234567e-5;
+  near.naive->t = 9.8765432109876543e-123;
+  const MicroscopeTable table = microscope_table(state, near);
+  const auto row = std::find_if(table.rows.begin(), table.rows.end(), [](const MicroscopeTable::Row& each) {
+    return each.robust == "1.23456\u20268e\u221205";
+  });
+  REQUIRE(row != table.rows.end());
+  CHECK(row->naive == "9.87654\u2026e\u2212123");
+}
+
 TEST_CASE("numbers of ulps are short") {
   CHECK(ulps_text(0.25, in_english) == "0.2");
   CHECK(ulps_text(3, in_english) == "3.0");

@@ -91,20 +91,22 @@ Target found_again(Target target, const Scene& before, const Scene& after) {
   return target.index < 0 ? Target{} : target;
 }
 
-void step_history(State& state, std::vector<Undone>& from, std::vector<Undone>& to, std::string_view when_empty) {
+using Stack = decltype(DocumentRoom::undo);
+
+void step_history(State& state, Stack& from, Stack& to, std::string_view when_empty) {
   if (from.empty()) return inform(state, std::string(text(when_empty, state.appearance.language)));
-  Undone next = std::move(from.back());
+  const std::shared_ptr<const Undone> next = from.back();
   from.pop_back();
   state.document.last_edit.reset();
-  if (Scene* const scene = std::get_if<Scene>(&next)) {
-    to.emplace_back(state.scene());
+  if (const Scene* const scene = std::get_if<Scene>(next.get())) {
+    to.push_back(std::make_shared<const Undone>(state.scene()));
     const Target selected = found_again(state.plan.selected, state.scene(), *scene);
-    replace_scene(state, std::move(*scene));
+    replace_scene(state, *scene);
     state.plan.selected = exists(state, selected) ? selected : Target{};
     state.plan.hovered = {};
   } else {
-    to.emplace_back(state.document.contents.ink);
-    replace_ink(state, std::get<Ink>(std::move(next)));
+    to.push_back(std::make_shared<const Undone>(state.document.contents.ink));
+    replace_ink(state, std::get<Ink>(*next));
   }
 }
 
@@ -120,7 +122,7 @@ void replace_scene(State& state, Scene next) {
 }
 
 void remember(State& state, Undone before) {
-  state.document.undo.push_back(std::move(before));
+  state.document.undo.push_back(std::make_shared<const Undone>(std::move(before)));
   state.document.redo.clear();
   trim(state);
 }

@@ -273,7 +273,7 @@ struct DocumentRoom {
   Ink saved_ink{};                 ///< the ink that the file holds
   bool dirty = false;              ///< contents differ from saved_scene or saved_ink
   std::uint64_t revision = 0;      ///< incremented with every change of contents.scene, to restart the 3-D image
-  std::vector<Undone> undo, redo;  ///< last in, first out; bounded (undo_entries, undo_bytes)
+  std::vector<std::shared_ptr<const Undone>> undo, redo;  ///< last in, first out; bounded (undo_entries, undo_bytes)
   std::shared_ptr<WorldCache>
       worlds;   ///< of contents.scene; replaced with each change of it, so that copies may share it
   Stop stop{};  ///< cancels a long update: it throws Stopped, and the state is then invalid

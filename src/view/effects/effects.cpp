@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace raywalk {
 
@@ -29,18 +30,19 @@ int most_samples(const State& state) {
   return std::max(state.picture.settings.walk_samples, state.picture.settings.samples);
 }
 
-/// The state with the effect switched.
-State with_effect(const State& state, Effect effect, bool on) {
-  State other = state;
-  other.effects.left_out.set(number_of(effect), !on);
-  return other;
+/// What is so of `tried` with other switches. That is one copy of the state for all that is asked: its scene may be
+/// large.
+template <class Ask>
+auto with(State& tried, EffectSet left_out, const Ask& ask) {
+  const EffectSet own = std::exchange(tried.effects.left_out, left_out);
+  auto answer = ask(std::as_const(tried));
+  tried.effects.left_out = own;
+  return answer;
 }
 
 /// What the scene calls for as it is walked, with nothing left out.
-Effects used_effects(const State& state) {
-  State all = state;
-  all.effects.left_out.reset();
-  return effects_of(*walked_scene(all), most_samples(state));
+Effects used_effects(State& tried) {
+  return with(tried, {}, [](const State& all) { return effects_of(*walked_scene(all), most_samples(all)); });
 }
 
 /// Plan and picture as the switches now say.
@@ -55,43 +57,46 @@ int formed(const Timeline& timeline) {
       std::count_if(timeline.rays().begin(), timeline.rays().end(), [](const RayRecord& ray) { return ray.formed; }));
 }
 
-void count(const State& state, EffectRays& rays) {
+void count(State& tried, EffectRays& rays) {
   const auto difference = [&](const State& other) { return std::abs(rays.all - formed(record_alone(other))); };
   for (const Effect effect : values_of<Effect>)
     if (rays.can[number_of(effect)])
-      rays.brought[number_of(effect)] = difference(with_effect(state, effect, state.effects.leaves_out(effect)));
-  State shallower = state;
-  const int depth = state.effects.depth.value_or(state.scene().limits.depth);
+      rays.brought[number_of(effect)] =
+          with(tried, EffectSet(tried.effects.left_out).flip(number_of(effect)), difference);
+  const int depth = tried.effects.depth.value_or(tried.scene().limits.depth);
   if (depth > 1) {
-    shallower.effects.depth = depth - 1;
-    rays.by_depth = difference(shallower);
+    const auto own = std::exchange(tried.effects.depth, depth - 1);
+    rays.by_depth = difference(tried);
+    tried.effects.depth = own;
   }
 }
 
 /// Whether an effect that the scene uses can be left out (can_switch).
-bool can_leave_out(const State& state, Effect effect) {
-  if (state.walk.bug) return false;
-  const State without = with_effect(state, effect, false);
-  const SceneSeen scene = walked_scene(without);
-  const RenderChoices& now = scene->render;
-  if (effect == Effect::shadows) return now.numerics == Numerics::robust && !traits_of(now.integrator).is_global;
-  return is_of_tracer(effect) || !effects_of(*scene, samples_seen(without, most_samples(without))).used(effect);
+bool can_leave_out(State& tried, Effect effect) {
+  if (tried.walk.bug) return false;
+  return with(tried, EffectSet(tried.effects.left_out).set(number_of(effect)), [&](const State& without) {
+    const SceneSeen scene = walked_scene(without);
+    const RenderChoices& now = scene->render;
+    if (effect == Effect::shadows) return now.numerics == Numerics::robust && !traits_of(now.integrator).is_global;
+    return is_of_tracer(effect) || !effects_of(*scene, samples_seen(without, most_samples(without))).used(effect);
+  });
 }
 
 EffectRays looked_at(const State& state) {
   EffectRays rays;
   rays.of = state.walk.timeline;
   rays.samples = most_samples(state);
-  const Effects used = used_effects(state);
+  State tried = state;
+  const Effects used = used_effects(tried);
   for (const Effect effect : values_of<Effect>) {
     const bool is_out = state.effects.leaves_out(effect);
     rays.offered.set(number_of(effect), is_out || used.used(effect));
-    rays.can.set(number_of(effect), is_out || (used.used(effect) && can_leave_out(state, effect)));
+    rays.can.set(number_of(effect), is_out || (used.used(effect) && can_leave_out(tried, effect)));
   }
   rays.all = formed(*state.walk.timeline);
   rays.counted = entries_of(state.scene().objects) <= most_entries &&
                  static_cast<std::size_t>(rays.all) * (rays.can.count() + 1) <= most_rays;
-  if (rays.counted) count(state, rays);
+  if (rays.counted) count(tried, rays);
   return rays;
 }
 
@@ -114,7 +119,8 @@ std::optional<Scene> without_effects(const State& state, const Scene& scene) {
 int samples_seen(const State& state, int asked) { return state.effects.leaves_out(Effect::antialiasing) ? 1 : asked; }
 
 bool can_switch(const State& state, Effect effect) {
-  return used_effects(state).used(effect) && can_leave_out(state, effect);
+  State tried = state;
+  return used_effects(tried).used(effect) && can_leave_out(tried, effect);
 }
 
 void action::ShowEffects::apply(State& state) const {

@@ -28,13 +28,15 @@ std::string off_text(const Specimen& specimen, const std::optional<double>& off,
               {{"ulps", ulps_text(std::abs(ulps), language)}});
 }
 
-/// All digits that distinguish it from its neighbours; if many, the first and the last.
+/// All digits that distinguish it from its neighbours; if many, the first and the last, and the power of ten.
 std::string number_of(double t, Precision precision, Language language) {
   const bool single = precision == Precision::float_;
-  const std::string digits = typeset_number(single ? fmt::format("{:.9g}", t) : fmt::format("{:.17g}", t), language);
-  constexpr std::size_t most = 13, first = 7, last = 5;
-  if (digits.size() <= most) return digits;
-  return digits.substr(0, first) + "\u2026" + digits.substr(digits.size() - last);
+  std::string digits = single ? fmt::format("{:.9g}", t) : fmt::format("{:.17g}", t);
+  const std::string power = digits.substr(std::min(digits.find('e'), digits.size()));
+  digits.resize(digits.size() - power.size());
+  const std::size_t most = 13 - power.size(), first = 7, last = 5 - power.size();
+  if (digits.size() > most) digits = digits.substr(0, first) + "\u2026" + digits.substr(digits.size() - last);
+  return typeset_number(digits + power, language);
 }
 
 std::string leaving_text(const SpawnedRays& rays, Language language) {

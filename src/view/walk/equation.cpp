@@ -208,9 +208,10 @@ class EquationWriter {
   void write(const RayNotFormed& stub) {
     switch (stub.why) {
       case Ending::depth: {
-        const double deepest = scene().limits.depth;
+        // The ray that would have formed it is the deepest that may be, whatever limits the depth.
+        const double deepest = event_->depth;
         row(Kind::formula, Word{"equation.depth_allowed"});
-        row(Kind::numbers, static_cast<double>(event_->depth), " + ", 1.0, " > ", deepest);
+        row(Kind::numbers, deepest, " + ", 1.0, " > ", deepest);
         return row(Kind::note, Word{"equation.no_ray"});
       }
       case Ending::threshold:
