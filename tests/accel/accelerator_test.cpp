@@ -1,6 +1,6 @@
 // Every accelerator answers what testing every primitive answers: the same primitive, part and t, bit for bit.
 
-#include "accel/accelerator.h"
+#include "answers.h"
 #include "support/catch.h"
 #include "support/effort.h"
 
@@ -11,12 +11,8 @@ using namespace raywalk::test;
 
 namespace {
 
-constexpr AcceleratorKind structures[] = {
-    AcceleratorKind::spheres, AcceleratorKind::ellipsoids, AcceleratorKind::boxes, AcceleratorKind::bvh,
-    AcceleratorKind::grid,    AcceleratorKind::octree,     AcceleratorKind::kdtree};
-
 template <class T>
-struct Random {
+struct ShapeNumbers {
   std::mt19937 engine{7};
   T operator()(T low = -1, T high = 1) {
     return low + (high - low) * static_cast<T>(engine() >> 8) / static_cast<T>(1 << 24);
@@ -31,7 +27,7 @@ struct Random {
 
 /// Spheres of mixed size with doubles among them (exact ties), and prisms and unbounded planes when `mixed`.
 template <class T>
-std::vector<Shape<T>> shapes(int count, bool mixed, Random<T>& random) {
+std::vector<Shape<T>> shapes(int count, bool mixed, ShapeNumbers<T>& random) {
   std::vector<Shape<T>> all;
   for (int i = 0; i < count; ++i) {
     const Vec3<T> at = random.point();
@@ -64,7 +60,7 @@ Primitives<T> primitives(const std::vector<Shape<T>>& shapes) {
 
 /// Rays in general, rays along the axes (signed zeros), and rays that run in the faces of boxes.
 template <class T>
-std::vector<Ray<T>> rays(int count, const std::vector<Shape<T>>& targets, Random<T>& random) {
+std::vector<Ray<T>> rays(int count, const std::vector<Shape<T>>& targets, ShapeNumbers<T>& random) {
   std::vector<Ray<T>> all;
   for (int i = 0; i < count; ++i) {
     Ray<T> ray{random.point(2), random.point()};
@@ -84,14 +80,8 @@ std::vector<Ray<T>> rays(int count, const std::vector<Shape<T>>& targets, Random
 }
 
 template <class T>
-bool same(const std::optional<Hit<T>>& a, const std::optional<Hit<T>>& b) {
-  if (!a || !b) return a.has_value() == b.has_value();
-  return a->t == b->t && a->primitive == b->primitive && a->part == b->part;
-}
-
-template <class T>
 void compare(int count, bool mixed) {
-  Random<T> random;
+  ShapeNumbers<T> random;
   const std::vector<Shape<T>> all = shapes<T>(count, mixed, random);
   const std::vector<Ray<T>> probes = rays<T>(rounds(4000), all, random);
   const Accelerator<T> list(primitives(all), AcceleratorKind::none);
@@ -146,7 +136,7 @@ TEMPLATE_TEST_CASE("the hierarchy, whose boxes are in float, misses nothing at a
   using T = TestType;
   int hits = 0;
   for (int exponent = -140; exponent <= 120; exponent += 5) {
-    Random<T> random;
+    ShapeNumbers<T> random;
     const T scale = std::ldexp(T(1), exponent);
     Primitives<T> all;
     for (int i = 0; i < 100; ++i) all.add(Sphere<T>{scale * random.point(), scale * random(T(0.01), T(0.2))});
@@ -168,7 +158,7 @@ TEMPLATE_TEST_CASE("accelerators follow slopes whose inverse overflows", "[accel
   using T = TestType;
   // Edges within a few hundred of the least number of the floor along which the rays creep upwards.
   const T least = std::numeric_limits<T>::denorm_min();
-  Random<T> random;
+  ShapeNumbers<T> random;
   Primitives<T> all;
   for (int i = 0; i < 60; ++i) {
     const T x = T(10) + static_cast<T>(i), low = least * static_cast<T>(10 * i + 5);

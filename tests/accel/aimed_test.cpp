@@ -1,7 +1,7 @@
 // Random rays find nothing: these are aimed at corners, edges and silhouettes, from near and far, where rounding
 // decides between hit and miss. An accelerator must not skip what brute force calls a hit.
 
-#include "accel/accelerator.h"
+#include "answers.h"
 #include "shape/numbers.h"
 #include "support/catch.h"
 #include "support/effort.h"
@@ -10,10 +10,6 @@ using namespace raywalk;
 using namespace raywalk::test;
 
 namespace {
-
-constexpr AcceleratorKind structures[] = {
-    AcceleratorKind::spheres, AcceleratorKind::ellipsoids, AcceleratorKind::boxes, AcceleratorKind::bvh,
-    AcceleratorKind::grid,    AcceleratorKind::octree,     AcceleratorKind::kdtree};
 
 template <class T>
 std::vector<Shape<T>> shapes(Numbers& next, double shift) {

@@ -1,4 +1,4 @@
-// Meshes and rays that rounding finds hard, and how answers are compared.
+// Meshes and rays that rounding finds hard.
 #pragma once
 
 #include <cmath>
@@ -6,18 +6,12 @@
 #include <optional>
 #include <vector>
 
-#include "accel/accelerator.h"
 #include "accel/width.h"
+#include "answers.h"
 #include "meshes.h"
 #include "shape/numbers.h"
 
 namespace raywalk::test {
-
-template <class T>
-bool same(const std::optional<Hit<T>>& a, const std::optional<Hit<T>>& b) {
-  if (!a || !b) return a.has_value() == b.has_value();
-  return a->t == b->t && a->primitive == b->primitive && a->part == b->part;
-}
 
 // Triangles a thousand times as long as wide, side by side, that share their corners.
 inline Mesh slivers() {

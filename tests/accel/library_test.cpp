@@ -14,15 +14,15 @@ using namespace raywalk::accel;
 namespace {
 
 template <class T>
-struct Soup {
+struct Buffers {
   std::vector<T> positions;
   std::vector<std::uint32_t> indices;
 };
 
 // A closed surface of 2 n n triangles, a bent torus, whose corners are shared.
 template <class T>
-Soup<T> torus(int n) {
-  Soup<T> soup;
+Buffers<T> torus(int n) {
+  Buffers<T> soup;
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j) {
       const double a = 6.283185307179586 * i / n, b = 6.283185307179586 * j / n;
@@ -39,12 +39,12 @@ Soup<T> torus(int n) {
 }
 
 template <class T>
-TriangleSet<T> built(const Soup<T>& soup) {
+TriangleSet<T> built(const Buffers<T>& soup) {
   return std::get<TriangleSet<T>>(TriangleSet<T>::build(soup.positions, soup.indices));
 }
 
 template <class T>
-BuildFailure failure(const Soup<T>& soup) {
+BuildFailure failure(const Buffers<T>& soup) {
   const auto result = TriangleSet<T>::build(soup.positions, soup.indices);
   REQUIRE(std::holds_alternative<BuildFailure>(result));
   return std::get<BuildFailure>(result);
@@ -55,7 +55,7 @@ BuildFailure failure(const Soup<T>& soup) {
 TEMPLATE_TEST_CASE("the library meets the triangles that are there, one at a time and in batches", "[accel]", float,
                    double) {
   using T = TestType;
-  const Soup<T> soup = torus<T>(24);
+  const Buffers<T> soup = torus<T>(24);
   const TriangleSet<T> triangles = built(soup);
   REQUIRE(triangles.size() == 24 * 24 * 2);
   CHECK(triangles.bytes() > 0);
@@ -128,23 +128,23 @@ TEMPLATE_TEST_CASE("the library meets the triangles that are there, one at a tim
 
 TEMPLATE_TEST_CASE("the library says what it cannot build from, and where", "[accel]", float, double) {
   using T = TestType;
-  const Soup<T> good = torus<T>(4);
+  const Buffers<T> good = torus<T>(4);
   const auto problem = [&](auto change) {
-    Soup<T> soup = good;
+    Buffers<T> soup = good;
     change(soup);
     const BuildFailure why = failure(soup);
     CHECK(std::string(words_for(why.problem)).size() > 10);
     return std::pair(why.problem, why.at);
   };
   using enum BuildProblem;
-  CHECK(problem([](Soup<T>& s) { s.indices.clear(); }) == std::pair(no_triangles, std::size_t{0}));
-  CHECK(problem([](Soup<T>& s) { s = {}; }).first == no_triangles);
-  CHECK(problem([](Soup<T>& s) { s.positions.pop_back(); }).first == incomplete_vertex);
-  CHECK(problem([](Soup<T>& s) { s.indices.pop_back(); }).first == incomplete_triangle);
-  CHECK(problem([](Soup<T>& s) { s.indices[7] = 16; }) == std::pair(bad_index, std::size_t{7}));
-  CHECK(problem([](Soup<T>& s) { s.indices[8] = no_triangle; }) == std::pair(bad_index, std::size_t{8}));
+  CHECK(problem([](Buffers<T>& s) { s.indices.clear(); }) == std::pair(no_triangles, std::size_t{0}));
+  CHECK(problem([](Buffers<T>& s) { s = {}; }).first == no_triangles);
+  CHECK(problem([](Buffers<T>& s) { s.positions.pop_back(); }).first == incomplete_vertex);
+  CHECK(problem([](Buffers<T>& s) { s.indices.pop_back(); }).first == incomplete_triangle);
+  CHECK(problem([](Buffers<T>& s) { s.indices[7] = 16; }) == std::pair(bad_index, std::size_t{7}));
+  CHECK(problem([](Buffers<T>& s) { s.indices[8] = no_triangle; }) == std::pair(bad_index, std::size_t{8}));
   for (const T bad : {std::numeric_limits<T>::quiet_NaN(), std::numeric_limits<T>::infinity(), T(-2e15)})
-    CHECK(problem([&](Soup<T>& s) { s.positions[11] = bad; }) == std::pair(bad_position, std::size_t{11}));
+    CHECK(problem([&](Buffers<T>& s) { s.positions[11] = bad; }) == std::pair(bad_position, std::size_t{11}));
   const std::vector<std::uint32_t> many(3 * (max_triangles + 1));
   const auto result = TriangleSet<T>::build(good.positions, many);
   REQUIRE(std::holds_alternative<BuildFailure>(result));

@@ -1,6 +1,6 @@
 // Meshes: watertight, the same to every accelerator, shaded as their normals say, and moving.
 
-#include "accel/accelerator.h"
+#include "answers.h"
 #include "meshes.h"
 #include "shape/numbers.h"
 #include "support/catch.h"
@@ -13,10 +13,6 @@ using namespace raywalk::test;
 
 namespace {
 
-constexpr AcceleratorKind kinds[] = {AcceleratorKind::spheres, AcceleratorKind::ellipsoids, AcceleratorKind::boxes,
-                                     AcceleratorKind::bvh,     AcceleratorKind::grid,       AcceleratorKind::octree,
-                                     AcceleratorKind::kdtree};
-
 // A corner, or a point of an edge, of some triangle of the mesh.
 Vec3d edge_point(const Mesh& mesh, const Affine<double>& map, Numbers& next, bool corner) {
   const auto& corners =
@@ -24,12 +20,6 @@ Vec3d edge_point(const Mesh& mesh, const Affine<double>& map, Numbers& next, boo
   const Vec3d a = map.point(mesh.positions[static_cast<std::size_t>(corners[0])]);
   const Vec3d b = map.point(mesh.positions[static_cast<std::size_t>(corners[1])]);
   return corner ? a : a + next.real(0, 1) * (b - a);
-}
-
-template <class T>
-bool same(const std::optional<Hit<T>>& a, const std::optional<Hit<T>>& b) {
-  if (!a || !b) return a.has_value() == b.has_value();
-  return a->t == b->t && a->primitive == b->primitive && a->part == b->part;
 }
 
 }  // namespace
@@ -167,7 +157,7 @@ TEMPLATE_TEST_CASE("accelerators agree over meshes, mapped shapes and what moves
     ray.time = static_cast<T>(next.real(0, 1));
     rays.push_back(ray);
   }
-  for (const AcceleratorKind kind : kinds) {
+  for (const AcceleratorKind kind : structures) {
     INFO(name_of(kind));
     const Accelerator<T> structure(primitives, kind);
     TestCounts counts;

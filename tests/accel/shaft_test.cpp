@@ -18,7 +18,7 @@ using namespace raywalk::test;
 
 namespace {
 
-class Random {
+class ShaftNumbers {
  public:
   double operator()(double low, double high) { return std::uniform_real_distribution(low, high)(engine_); }
   Vec3d point(double size) { return {(*this)(-size, size), (*this)(-size, size), (*this)(-size, size)}; }
@@ -35,7 +35,7 @@ class Random {
 
 // Spheres, planes, boxes and placed spheres, `size` across.
 template <class T>
-Primitives<T> scene(const Vec3d& about, double size, Random& random) {
+Primitives<T> scene(const Vec3d& about, double size, ShaftNumbers& random) {
   const auto in_t = [&](const Vec3d& p) { return Vec3<T>(about + p); };
   Primitives<T> all;
   for (int i = 0; i < 6; ++i) {
@@ -54,7 +54,7 @@ Primitives<T> scene(const Vec3d& about, double size, Random& random) {
 // From a place of a primitive, or from anywhere.
 template <class T>
 Ray<T> start(const Primitives<T>& primitives, const Accelerator<T>& list, const Vec3d& about, double size,
-             Random& random) {
+             ShaftNumbers& random) {
   TestCounts counts;
   Ray<T> ray{Vec3<T>(about + random.point(2 * size)), Vec3<T>(random.direction())};
   if (random(0, 1) < 0.3) return ray;
@@ -81,7 +81,7 @@ std::optional<Vec3d> outline_towards(const Vec3<T>& point, const Vec3<T>& middle
 
 TEMPLATE_TEST_CASE("what a shaft leaves out is crossed by no ray of it", "[accel]", float, double) {
   using T = TestType;
-  Random random;
+  ShaftNumbers random;
   int left_out = 0, asked = 0, stopped = 0, differing = 0;
   for (int round = 0; round < rounds(3000); ++round) {
     const double size = std::pow(10.0, random(-3, 4));
@@ -124,7 +124,7 @@ TEMPLATE_TEST_CASE("what a shaft leaves out is crossed by no ray of it", "[accel
 
 TEST_CASE("spheres that touch a shaft's side from outside are kept, those a little further off are not") {
   const Vec3d point(1, 2, 3);
-  Random random;
+  ShaftNumbers random;
   for (int round = 0; round < 1000; ++round) {
     const Vec3d axis = random.direction(), aside = normalize(cross(axis, random.direction()));
     const double length = random(2, 50), light = random(0.01, 1.9), radius = random(0.01, 1);

@@ -12,11 +12,11 @@ using namespace raywalk;
 
 namespace {
 
-constexpr AcceleratorKind structures[] = {
-    AcceleratorKind::none, AcceleratorKind::spheres, AcceleratorKind::ellipsoids, AcceleratorKind::boxes,
-    AcceleratorKind::bvh,  AcceleratorKind::grid,    AcceleratorKind::octree,     AcceleratorKind::kdtree};
+constexpr AcceleratorKind searches[] = {AcceleratorKind::none,   AcceleratorKind::spheres, AcceleratorKind::ellipsoids,
+                                        AcceleratorKind::boxes,  AcceleratorKind::bvh,     AcceleratorKind::grid,
+                                        AcceleratorKind::octree, AcceleratorKind::kdtree};
 
-struct Random {
+struct RayNumbers {
   std::mt19937 engine{11};
   double operator()(double low, double high) {
     return low + (high - low) * static_cast<double>(engine() >> 8) / double(1 << 24);
@@ -26,7 +26,7 @@ struct Random {
 // Balls of two sizes in a flat room, and a floor without end.
 template <class T>
 std::vector<Shape<T>> room(int balls) {
-  Random random;
+  RayNumbers random;
   std::vector<Shape<T>> all{Plane<T>{Vec3<T>(0, 0, -2), Vec3<T>(0, 0, 1)}};
   for (int i = 0; i < balls; ++i) {
     const T x = static_cast<T>(random(-6, 6)), y = static_cast<T>(random(-4, 4)), z = static_cast<T>(random(-1, 1));
@@ -37,7 +37,7 @@ std::vector<Shape<T>> room(int balls) {
 
 template <class T>
 std::vector<Ray<T>> probes(int count) {
-  Random random;
+  RayNumbers random;
   std::vector<Ray<T>> all;
   const auto point = [&](double size) {
     const T x = static_cast<T>(random(-size, size)), y = static_cast<T>(random(-size, size));
@@ -115,7 +115,7 @@ void compare(AcceleratorKind kind, Primitives<T> primitives) {
 }  // namespace
 
 TEST_CASE("a watched search finds and costs what the same search costs that nobody watches") {
-  for (const AcceleratorKind kind : structures) {
+  for (const AcceleratorKind kind : searches) {
     INFO(name_of(kind));
     compare<double, Ray<double>>(kind, Primitives<double>(room<double>(60)));
     compare<double, Ray<double>>(kind, furnished<double>());
@@ -160,7 +160,7 @@ TEST_CASE("filters are told as such, and what stops is told last") {
   for (int i = 0; i < 12; ++i) row.push_back(Sphere<double>{Vec3d(2 * i + 2, 0, 0), 0.5});
   std::vector<ShadowRole> roles(row.size(), ShadowRole::filters);
   roles[3] = ShadowRole::ignored, roles[7] = ShadowRole::stops;
-  for (const AcceleratorKind kind : structures) {
+  for (const AcceleratorKind kind : searches) {
     INFO(name_of(kind));
     const Accelerator<double> accelerator(Primitives<double>(row), kind);
     const WatchedAccelerator<double> watching(accelerator.primitives(), kind, 0);
@@ -339,7 +339,7 @@ TEST_CASE("the steps of a build are those of the structure that stands in the en
 }
 
 TEST_CASE("nothing to search is searched without complaint") {
-  for (const AcceleratorKind kind : structures) {
+  for (const AcceleratorKind kind : searches) {
     const Primitives<double> none, one_plane({Plane<double>{Vec3d(0, 0, -1), Vec3d(0, 0, 1)}});
     const WatchedAccelerator<double> empty(none, kind, 10), floor(one_plane, kind, 10);
     CHECK(empty.build().steps.empty());

@@ -103,6 +103,24 @@ TEST_CASE("distances to what is drawn") {
   CHECK(distance_to({TextItem{{0, 0}, "words", 10, grey, TextAnchor::end}}, {0, 9}) == Approx(4));
 }
 
+TEST_CASE("what covers a place is at distance 0 from it, on its corners and edges too") {
+  const Colour grey{128, 128, 128};
+  const std::vector<Vec2d> notched{{0, 0}, {10, 0}, {10, 10}, {5, 2}, {0, 10}};
+  const DisplayItem items[] = {{PolygonItem{notched, grey, {}}},
+                               {PolygonItem{notched, std::nullopt, Stroke{}}},
+                               {CircleItem{{5, 5}, 5, grey, {}}},
+                               {LineItem{{0, 0}, {10, 10}, {}}}};
+  int covered = 0;
+  for (const DisplayItem& item : items)
+    for (int x = -4; x <= 44; ++x)
+      for (int y = -4; y <= 44; ++y) {
+        const Vec2d at(x / 4.0, y / 4.0);
+        CHECK(covers(item, at) == (distance_to(item, at) == 0));
+        covered += covers(item, at);
+      }
+  CHECK(covered > 1000);
+}
+
 TEST_CASE("text counts letters, not bytes") { CHECK(text_width("né", 10) == text_width("ne", 10)); }
 
 TEST_CASE("a list with one number that is none is found out") {

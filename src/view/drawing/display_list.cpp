@@ -18,27 +18,22 @@ double period_of(const DashPattern& dash) {
   return period;
 }
 
-double distance_to_segment(const Vec2d& a, const Vec2d& b, const Vec2d& at) {
+double squared_distance_to_segment(const Vec2d& a, const Vec2d& b, const Vec2d& at) {
   const Vec2d along = b - a;
   const double squared = dot(along, along);
   const double t = squared > 0 ? std::clamp(dot(at - a, along) / squared, 0.0, 1.0) : 0.0;
-  return length(a + t * along - at);
+  const Vec2d apart = a + t * along - at;
+  return dot(apart, apart);
 }
 
 double distance_to_polyline(const std::vector<Vec2d>& points, bool closed, const Vec2d& at) {
-  double nearest = points.empty() ? std::numeric_limits<double>::infinity() : length(points.front() - at);
-  for (std::size_t i = 0; i + 1 < points.size() + (closed ? 1 : 0); ++i)
-    nearest = std::min(nearest, distance_to_segment(points[i], points[(i + 1) % points.size()], at));
-  return nearest;
-}
-
-bool inside(const std::vector<Vec2d>& polygon, const Vec2d& at) {
-  bool odd = false;
-  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
-    const Vec2d &a = polygon[i], &b = polygon[j];
-    if ((a.y > at.y) != (b.y > at.y) && at.x < (b.x - a.x) * (at.y - a.y) / (b.y - a.y) + a.x) odd = !odd;
-  }
-  return odd;
+  if (points.empty()) return std::numeric_limits<double>::infinity();
+  const Vec2d apart = points.front() - at;
+  double nearest = dot(apart, apart);
+  for (std::size_t i = 0; i + 1 < points.size(); ++i)
+    nearest = std::min(nearest, squared_distance_to_segment(points[i], points[i + 1], at));
+  if (closed) nearest = std::min(nearest, squared_distance_to_segment(points.back(), points.front(), at));
+  return std::sqrt(nearest);
 }
 
 double distance_to_arc(const ArcItem& arc, const Vec2d& at) {
@@ -112,22 +107,41 @@ double text_width(std::string_view text, double size) {
   return 0.5 * size * static_cast<double>(letters);
 }
 
+bool inside(const std::vector<Vec2d>& polygon, const Vec2d& at) {
+  bool odd = false;
+  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+    const Vec2d &a = polygon[i], &b = polygon[j];
+    if ((a.y > at.y) != (b.y > at.y) && at.x < (b.x - a.x) * (at.y - a.y) / (b.y - a.y) + a.x) odd = !odd;
+    const auto [left, right] = std::minmax(a.x, b.x);
+    const auto [low, high] = std::minmax(a.y, b.y);
+    if (at.x >= left && at.x <= right && at.y >= low && at.y <= high && squared_distance_to_segment(a, b, at) == 0)
+      return true;
+  }
+  return odd;
+}
+
+bool covers(const DisplayItem& item, const Vec2d& at) {
+  const auto* polygon = std::get_if<PolygonItem>(&item.shape);
+  return polygon != nullptr && polygon->fill ? inside(polygon->points, at) : distance_to(item, at) == 0;
+}
+
 double distance_to(const DisplayItem& item, const Vec2d& at) {
-  return std::visit(Overloaded{
-                        [&](const LineItem& line) { return distance_to_segment(line.from, line.to, at); },
-                        [&](const PolylineItem& polyline) { return distance_to_polyline(polyline.points, false, at); },
-                        [&](const PolygonItem& polygon) {
-                          const bool within = polygon.fill && inside(polygon.points, at);
-                          return within ? 0.0 : distance_to_polyline(polygon.points, true, at);
-                        },
-                        [&](const CircleItem& circle) {
-                          const double from_rim = length(at - circle.centre) - circle.radius;
-                          return circle.fill ? std::max(from_rim, 0.0) : std::abs(from_rim);
-                        },
-                        [&](const ArcItem& arc) { return distance_to_arc(arc, at); },
-                        [&](const TextItem& text) { return distance_to_text(text, at); },
-                    },
-                    item.shape);
+  return std::visit(
+      Overloaded{
+          [&](const LineItem& line) { return std::sqrt(squared_distance_to_segment(line.from, line.to, at)); },
+          [&](const PolylineItem& polyline) { return distance_to_polyline(polyline.points, false, at); },
+          [&](const PolygonItem& polygon) {
+            const bool within = polygon.fill && inside(polygon.points, at);
+            return within ? 0.0 : distance_to_polyline(polygon.points, true, at);
+          },
+          [&](const CircleItem& circle) {
+            const double from_rim = length(at - circle.centre) - circle.radius;
+            return circle.fill ? std::max(from_rim, 0.0) : std::abs(from_rim);
+          },
+          [&](const ArcItem& arc) { return distance_to_arc(arc, at); },
+          [&](const TextItem& text) { return distance_to_text(text, at); },
+      },
+      item.shape);
 }
 
 bool is_finite(const DisplayList& list) {

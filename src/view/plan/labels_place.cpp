@@ -40,7 +40,7 @@ std::optional<Filled> filled(const Shape2d& shape) {
 }
 
 /// Whether a place lies on a body: first a look at its box, for an outline may have many corners.
-bool holds(const DrawnBody& body, const Vec2d& at) { return body.box.meets(at, at) && distance_to(body.item, at) == 0; }
+bool holds(const DrawnBody& body, const Vec2d& at) { return body.box.meets(at, at) && covers(body.item, at); }
 
 /// Fraction of a label's box that a body covers, by samples: of all of it, or, of a body that could slip through
 /// between these, of what the two boxes share.

@@ -36,7 +36,7 @@ double contrast(Colour a, Colour b) {
 Colour ground_at(const Painter& painter, const std::vector<DrawnBody>& bodies, const Vec2d& at) {
   Colour ground = painter.colours.plan;
   for (const DrawnBody& body : bodies)
-    if (distance_to(body.item, at) == 0) ground = mix(ground, body.fill.with_alpha(255), body.fill.a / 255.0);
+    if (covers(body.item, at)) ground = mix(ground, body.fill.with_alpha(255), body.fill.a / 255.0);
   return ground;
 }
 

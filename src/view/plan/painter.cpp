@@ -236,7 +236,7 @@ double Painter::room_along(const Vec2d& from, const Vec2d& along) const {
     if (along[axis] == 0) continue;
     room = std::min(room, ((along[axis] > 0 ? all.max[axis] : all.min[axis]) - from[axis]) / along[axis]);
   }
-  if (!frame.empty() && distance_to({PolygonItem{frame, colours.plan, std::nullopt}}, from) > 0) return 0;
+  if (!frame.empty() && !inside(frame, from)) return 0;
   for (std::size_t i = 0; i < frame.size(); ++i) {
     const Vec2d begin = frame[i] - from, side = frame[(i + 1) % frame.size()] - frame[i];
     const double slant = cross(along, side);
