@@ -3,6 +3,7 @@
 #include "render/parallel.h"
 #include "scene/warnings.h"
 #include "text/file.h"
+#include "text/file_path.h"
 
 #include <nlohmann/json.hpp>
 
@@ -122,7 +123,7 @@ Result<State> start(const GuiOptions& options, const Stop& stop) {
   // A screenshot shows this scene: without questions about an earlier one, and without leaving traces.
   const bool picture = !options.screenshot_path.empty();
   const std::string folder = picture ? std::string() : state_folder(options);
-  State state = make_state(std::move(*document), path, folder, stop);
+  State state = make_state(std::move(*document), absolute_path(path), folder, stop);
   const Settings settings = read_settings(folder);
   state.appearance.language = language_for(options, settings);
   state.lessons.folder = options.data_dir + "/lessons";

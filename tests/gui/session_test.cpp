@@ -11,6 +11,7 @@
 #include "gui/report.h"
 #include "support/catch.h"
 #include "support/languages.h"
+#include "support/working_folder.h"
 
 using namespace raywalk;
 using namespace raywalk::test;
@@ -159,6 +160,34 @@ TEST_CASE("a file of texts that cannot be read is told in the window, with its l
   REQUIRE(state->document.notice);
   CHECK(state->document.notice->kind == Notice::Kind::error);
   CHECK_THAT(state->document.notice->text, contains("texts/fr.toml:6:"));
+}
+
+TEST_CASE("work on a file named from its own folder is recovered into it, and into no other of its name") {
+  const Folder folder;
+  const std::string shipped = RAYWALK_SOURCE_DIR "/scenes/classic.toml";
+  for (const char* name : {"a", "b"}) {
+    fs::create_directories(folder / name);
+    fs::copy_file(shipped, folder / (std::string(name) + "/my.toml"));
+  }
+  GuiOptions wanted = options(folder);
+  wanted.scene_path = "my.toml";
+  Scene lost;
+  {
+    const WorkingFolder there(folder / "a");
+    auto state = start(wanted);
+    REQUIRE(state.has_value());
+    update(*state, action::AddObject{action::ObjectKind::polygon});
+    update(*state, action::Tick{60});
+    lost = state->scene();
+  }
+  const WorkingFolder elsewhere(folder / "b");
+  auto state = start(wanted);
+  REQUIRE(state.has_value());
+  REQUIRE(state->document.question);
+  update(*state, action::AnswerQuestion{action::Answer::recover});
+  update(*state, action::Save{});
+  CHECK(read_scene(folder / "a/my.toml")->scene == lost);
+  CHECK(read_scene(folder / "b/my.toml")->scene == read_scene(shipped)->scene);
 }
 
 TEST_CASE("a picture is taken of the scene alone: no question of an earlier sitting, nothing left behind") {

@@ -1,4 +1,5 @@
 #include "text/file.h"
+#include "text/file_path.h"
 #include "text/text_file.h"
 
 #include <fcntl.h>
@@ -264,4 +265,16 @@ TEST_CASE("what cannot be read says so") {
   put(folder.file("exact"), std::string(100, 'x'));
   CHECK(read_file(folder.file("exact"), 100));
   CHECK(!read_file(folder.file("exact"), 99));
+}
+
+TEST_CASE("an absolute path leads to the same file, past links to folders too") {
+  const TemporaryFolder folder;
+  CHECK(absolute_path("mine.toml") == (fs::current_path() / "mine.toml").string());
+  CHECK(absolute_path("./mine.toml") == (fs::current_path() / "mine.toml").string());
+  CHECK(absolute_path("").empty());
+  fs::create_directories(folder.file("far/inner"));
+  CHECK(absolute_path(folder.file("far//inner/../mine.toml")) == folder.file("far/mine.toml"));
+  fs::create_directory_symlink("far/inner", folder.file("link"));
+  const std::string beyond = folder.file("link/../mine.toml");  // in far
+  CHECK(absolute_path(beyond) == beyond);
 }

@@ -5,6 +5,7 @@
 
 #include "support/catch.h"
 #include "support/languages.h"
+#include "support/working_folder.h"
 
 using namespace raywalk;
 using namespace raywalk::test;
@@ -329,4 +330,18 @@ TEST_CASE("what waited for a path is dropped where the window is closed instead,
   update(state, action::SaveAs{folder.file("mine.toml")});
   CHECK(state.scene() == scene);
   CHECK(state.document.path == folder.file("mine.toml"));
+}
+
+TEST_CASE("a scene remembers its file by a path that leads there from every folder") {
+  const TemporaryFolder folder;
+  const WorkingFolder there(folder.path());
+  State state = busy_state();
+  update(state, action::SaveAs{"mine.toml"});
+  CHECK(state.document.path == folder.file("mine.toml"));
+  CHECK(state.document.notice->text == fill("notice.saved_as", in_english, {{"file", "mine.toml"}}));
+  State other = busy_state();
+  update(other, action::Open{"mine.toml"});
+  CHECK(other.document.path == folder.file("mine.toml"));
+  CHECK(other.document.recent.front() == folder.file("mine.toml"));
+  CHECK(other.document.notice->text == fill("notice.opened", in_english, {{"file", "mine.toml"}}));
 }

@@ -71,7 +71,8 @@ void ask_to_recover(State& state) {
   state.document.question = Question{Question::Kind::recover, {}, {}, found, {}};
   std::size_t next = 0;
   if (const auto line = head_line(*autosaved, 0, autosave_head)) {
-    state.document.question->path = line->value;
+    // Earlier versions may have written a path of which nobody knows any more from where it led.
+    if (std::filesystem::path(line->value).is_absolute()) state.document.question->path = line->value;
     next = line->next;
   }
   if (const auto line = head_line(*autosaved, next, time_head)) state.document.question->when = line->value;
@@ -169,11 +170,8 @@ void recover(State& state, const std::string& original, const std::string& autos
 }
 
 void add_recent(State& state, const std::string& path) {
-  std::error_code failed;
-  const std::filesystem::path absolute = std::filesystem::absolute(path, failed);
-  const std::string entry = failed ? path : absolute.lexically_normal().string();
-  std::erase(state.document.recent, entry);
-  state.document.recent.insert(state.document.recent.begin(), entry);
+  std::erase(state.document.recent, path);
+  state.document.recent.insert(state.document.recent.begin(), path);
   if (state.document.recent.size() > max_recent) state.document.recent.resize(max_recent);
   if (state.document.state_dir.empty()) return;
   std::string lines;

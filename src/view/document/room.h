@@ -268,7 +268,7 @@ struct DocumentRoom {
   static Commands commands();
 
   SceneDocument contents;
-  std::string path;                ///< empty: never saved
+  std::string path;                ///< absolute; empty: never saved
   std::optional<Scene> saved;      ///< the scene as the file holds it; absent: as contents.scene
   Ink saved_ink{};                 ///< the ink that the file holds
   bool dirty = false;              ///< contents differ from saved_scene or saved_ink
