@@ -93,9 +93,12 @@ int live_cell(const State& state) {
   return walked >= 0 ? walked : cells / 2;
 }
 
+bool holds_unsaved_work(const State& state) {
+  return state.document.dirty && !state.bugs.hunt && !state.document.state_dir.empty();
+}
+
 bool wants_autosave(const State& state) {
-  return state.document.dirty && !state.bugs.hunt && state.document.revision != state.document.autosaved_revision &&
-         !state.document.state_dir.empty();
+  return holds_unsaved_work(state) && state.document.revision != state.document.autosaved_revision;
 }
 
 std::string document_title(const State& state) {

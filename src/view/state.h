@@ -127,7 +127,9 @@ void choose(const State& state, RenderChoices& choices);
 /// walked.
 [[nodiscard]] int current_cell(const State& state);
 
-/// Whether there is unsaved work that is not in the autosave. The scene of a hunt does not count.
+/// Whether there is unsaved work, and a folder to autosave it in. The scene of a hunt does not count.
+[[nodiscard]] bool holds_unsaved_work(const State& state);
+/// Whether there is some that is not in the autosave.
 [[nodiscard]] bool wants_autosave(const State& state);
 
 /// The file's name for the title bar: without folders, "Untitled" if never saved, with "*" in front if dirty.

@@ -193,11 +193,14 @@ TEST_CASE("work on a file named from its own folder is recovered into it, and in
 TEST_CASE("a picture is taken of the scene alone: no question of an earlier sitting, nothing left behind") {
   const Folder folder;
   GuiOptions wanted = options(folder);
-  auto state = start(wanted);
-  REQUIRE(state.has_value());
-  update(*state, action::AddObject{action::ObjectKind::polygon});
-  update(*state, action::Tick{60});
-  REQUIRE(fs::exists(folder / "state/autosave.toml"));
+  {
+    auto state = start(wanted);
+    REQUIRE(state.has_value());
+    update(*state, action::AddObject{action::ObjectKind::polygon});
+    update(*state, action::Tick{60});
+    REQUIRE(fs::exists(folder / "state/autosave.toml"));
+    CHECK_FALSE(start(wanted)->document.question.has_value());  // that window still runs
+  }
   CHECK(start(wanted)->document.question.has_value());
   wanted.screenshot_path = folder / "picture.png";
   CHECK_FALSE(start(wanted)->document.question.has_value());

@@ -19,7 +19,7 @@ TEST_CASE("what is not saved is autosaved within seconds, and recovered at the n
   const std::string autosave = folder.file("state/autosave.toml");
   REQUIRE(std::filesystem::exists(autosave));
 
-  // As after a crash: a new state on the same file.
+  crash(state);
   State next = make_state(read_document(folder.file("scene.toml")), folder.file("scene.toml"), folder.file("state"));
   restore_session(next);
   REQUIRE(next.document.question);
@@ -44,6 +44,7 @@ TEST_CASE("Later keeps an autosave whatever is done meanwhile, and the next star
   make_dirty(crashed);
   const Scene lost = crashed.scene();
   update(crashed, action::Tick{autosave_every + 1});
+  crash(crashed);
 
   // Another file is opened: the question says which one it is about and which one is open.
   REQUIRE(write_file_atomically(folder.file("other.toml"), read_file(folder.file("scene.toml"), 1 << 20).value()));
@@ -101,6 +102,7 @@ TEST_CASE("a thrown away autosave is gone, and so is that of a scene that was le
     make_dirty(state);
     for (int i = 0; i < 8; ++i) update(state, action::Tick{1});
     REQUIRE(std::filesystem::exists(autosave));
+    crash(state);
   };
   leave_autosave();
   State next = make_state({busy_scene(), {}, {}}, {}, folder.file("state"));
@@ -121,6 +123,7 @@ TEST_CASE("a scene that was never saved is recovered without a path") {
   make_dirty(state);
   const Scene scene = state.scene();
   update(state, action::Tick{1});
+  crash(state);
   State next = make_state({busy_scene(), {}, {}}, {}, folder.file("state"));
   restore_session(next);
   update(next, action::AnswerQuestion{Answer::recover});
@@ -135,6 +138,7 @@ TEST_CASE("leaving while recovery is offered keeps the autosave for the next sta
   State state = saved_state(folder);
   make_dirty(state);
   update(state, action::Tick{1});
+  crash(state);
   State next = make_state({busy_scene(), {}, {}}, {}, folder.file("state"));
   restore_session(next);
   update(next, action::Quit{});
@@ -160,6 +164,7 @@ TEST_CASE("work is recovered out of the hunt and out of the lesson that a link h
   make_dirty(crashed);
   const Scene lost = crashed.scene();
   update(crashed, action::Tick{1});
+  crash(crashed);
 
   State next = make_state({busy_scene(), {}, {}}, {}, folder.file("state"));
   next.lessons.folder = RAYWALK_SOURCE_DIR "/lessons";
@@ -222,4 +227,57 @@ TEST_CASE("two windows that start together keep an autosave each") {
   make_dirty(second);
   update(second, action::Undo{});
   CHECK_THAT(kept("autosave.toml"), contains("first.toml"));
+}
+
+TEST_CASE("the work of a window that still runs, or that another asks about, is not offered") {
+  const TemporaryFolder folder;
+  State running = saved_state(folder);
+  const auto begun = [&] {
+    State state = make_state({busy_scene(), {}, {}}, {}, folder.file("state"));
+    restore_session(state);
+    return state;
+  };
+  make_dirty(running);
+  update(running, action::Tick{1});
+  CHECK_FALSE(begun().document.question);
+  crash(running);
+  State asked = begun();
+  REQUIRE(asked.document.question);
+  CHECK_FALSE(begun().document.question);
+  SECTION("postponed, it is free again") {
+    update(asked, action::AnswerQuestion{Answer::cancel});
+    CHECK(begun().document.question);
+  }
+  SECTION("recovered, it is the work of who recovered it") {
+    update(asked, action::AnswerQuestion{Answer::recover});
+    CHECK_FALSE(begun().document.question);
+    crash(asked);
+    CHECK(begun().document.question);
+  }
+  SECTION("thrown away, nothing is left but what others hold") {
+    State other = begun();
+    make_dirty(other);
+    update(other, action::Tick{1});
+    update(asked, action::AnswerQuestion{Answer::discard});
+    CHECK_FALSE(asked.document.question);
+    CHECK_FALSE(std::filesystem::exists(folder.file("state/autosave.toml")));
+    CHECK(std::filesystem::exists(folder.file("state/autosave-2.toml")));
+  }
+}
+
+TEST_CASE("an autosave that somebody has removed is written again, while there is work that only it holds") {
+  const TemporaryFolder folder;
+  const std::string autosave = folder.file("state/autosave.toml");
+  State state = saved_state(folder);
+  make_dirty(state);
+  update(state, action::Tick{1});
+  std::filesystem::remove_all(folder.file("state"));
+  update(state, action::Tick{autosave_every + 1});
+  CHECK(std::filesystem::exists(autosave));
+  State other = make_state({busy_scene(), {}, {}}, {}, folder.file("state"));
+  restore_session(other);
+  CHECK_FALSE(other.document.question);
+  update(state, action::Save{});
+  update(state, action::Tick{autosave_every + 1});
+  CHECK_FALSE(std::filesystem::exists(autosave));
 }

@@ -64,7 +64,7 @@ void autosave(State& state, double seconds);
 void forget_autosave(State& state);
 /// Removes an autosave of an earlier session, and asks about the next one.
 void discard_autosave(State& state, const std::string& autosave);
-void recover(State& state, const std::string& original, const std::string& autosave);
+void recover(State& state, const Question& question);
 void add_recent(State& state, const std::string& path);
 
 // new_scene.cpp

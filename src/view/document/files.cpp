@@ -261,7 +261,7 @@ void action::AnswerQuestion::apply(State& state) const {
     case Question::Kind::recover:
       if (answer == Answer::save) return;
       state.document.question.reset();
-      if (answer == Answer::recover) return recover(state, question.path, question.autosave);
+      if (answer == Answer::recover) return recover(state, question);
       if (answer == Answer::discard) discard_autosave(state, question.autosave);
       return;
     case Question::Kind::overwrite:

@@ -4,6 +4,7 @@
 #include "io/scene_file.h"
 #include "math/stop.h"
 #include "render/world_cache.h"
+#include "text/file_hold.h"
 #include "view/drawing/display_list.h"
 #include "view/fields.h"
 #include "view/room.h"
@@ -50,7 +51,8 @@ struct Question {
   Intent intent{};         ///< continues with this after save or discard
   std::string path{};      ///< of the intent, or of the file that the autosave belongs to (may be empty)
   std::string autosave{};  ///< recover: the autosave
-  std::string when{};      ///< recover: when it was written, as text
+  std::shared_ptr<const FileHold> hold{};  ///< recover: of it, so that no other window asks about it too
+  std::string when{};                      ///< recover: when it was written, as text
 };
 template <>
 inline constexpr Word<Question::Kind> words_of<Question::Kind>[] = {{Question::Kind::unsaved, "unsaved"},
@@ -284,7 +286,8 @@ struct DocumentRoom {
   std::string state_dir;
   /// This session's autosave: a name in state_dir that no other has; empty until it is written.
   std::string autosave_file = "autosave.toml";
-  double autosave_in = 0;  ///< seconds until the next autosave may be written
+  std::shared_ptr<const FileHold> autosave_hold;  ///< of that file: this session still runs
+  double autosave_in = 0;                         ///< seconds until the next autosave may be written
   std::uint64_t autosaved_revision = 0;
 
   std::optional<Question> question;
