@@ -229,15 +229,32 @@ TEST_CASE("autosaves are seldom, and none is written while nothing changes") {
   CHECK_FALSE(is_written());
 }
 
-TEST_CASE("an autosave that cannot be written is reported") {
+TEST_CASE("an autosave that cannot be written is reported once, and tried again") {
   const TemporaryFolder folder;
   State state = saved_state(folder);
-  REQUIRE(write_file_atomically(folder.file("blocked"), "a file where a folder is wanted"));
+  const auto block = [&] { REQUIRE(write_file_atomically(folder.file("blocked"), "a file where a folder is wanted")); };
+  const auto is_reported = [&] {
+    const auto said = std::exchange(state.document.notice, std::nullopt);
+    return said && said->kind == Notice::Kind::error;
+  };
+  block();
   state.document.state_dir = folder.file("blocked");
   make_dirty(state);
   update(state, action::Tick{1});
-  REQUIRE(state.document.notice);
-  CHECK(state.document.notice->kind == Notice::Kind::error);
+  CHECK(is_reported());
+  update(state, action::Tick{autosave_every + 1});
+  CHECK_FALSE(is_reported());
+  std::filesystem::remove(folder.file("blocked"));
+  update(state, action::Tick{autosave_every / 2});
+  CHECK_FALSE(std::filesystem::exists(folder.file("blocked/autosave.toml")));
+  update(state, action::Tick{autosave_every});
+  CHECK(std::filesystem::exists(folder.file("blocked/autosave.toml")));
+  CHECK_FALSE(is_reported());
+  // Once it was written, a failure is news again.
+  std::filesystem::remove_all(folder.file("blocked"));
+  block();
+  update(state, action::Tick{autosave_every + 1});
+  CHECK(is_reported());
 }
 
 TEST_CASE("recent files are remembered, the latest first, each once") {

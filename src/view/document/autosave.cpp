@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 namespace raywalk {
 
@@ -143,13 +144,17 @@ void autosave(State& state, double seconds) {
     return;
   }
   state.document.autosave_in = autosave_every;
-  state.document.autosaved_revision = state.document.revision;
   const bool is_first = state.document.autosave_file.empty();
   claim_autosave(state);
   const Result<void> written = write_autosave(state);
-  if (!written && is_first) remove_autosave(state);  // nothing but a name
-  if (!written)
-    complain(state, fill("notice.autosave_failed", state.appearance.language, {{"why", written.error().text()}}));
+  const std::string why = written ? std::string() : written.error().text();
+  const bool is_news = std::exchange(state.document.autosave_failure, why) != why;
+  if (written) {
+    state.document.autosaved_revision = state.document.revision;
+    return;
+  }
+  if (is_first) remove_autosave(state);  // nothing but a name
+  if (is_news) complain(state, fill("notice.autosave_failed", state.appearance.language, {{"why", why}}));
 }
 
 void forget_autosave(State& state) {

@@ -289,6 +289,7 @@ struct DocumentRoom {
   std::shared_ptr<const FileHold> autosave_hold;  ///< of that file: this session still runs
   double autosave_in = 0;                         ///< seconds until the next autosave may be written
   std::uint64_t autosaved_revision = 0;
+  std::string autosave_failure;  ///< why the last one was not written, which is said once; empty: it was
 
   std::optional<Question> question;
   PathPrompt prompt = PathPrompt::none;
