@@ -5,6 +5,7 @@
 #include "view/text/text.h"
 
 #include "support/catch.h"
+#include "support/languages.h"
 
 using namespace raywalk;
 using namespace raywalk::test;
@@ -25,9 +26,10 @@ TEST_CASE("what is not saved is autosaved within seconds, and recovered at the n
   REQUIRE(next.document.question);
   CHECK(next.document.question->kind == Question::Kind::recover);
   CHECK(next.document.question->path == folder.file("scene.toml"));
-  CHECK_THAT(question_panel(next).text, contains("scene.toml") && contains(std::string(next.document.question->when)));
-  CHECK_THAT(next.document.question->when,
-             Catch::Matchers::Matches("20[0-9]{2}-[01][0-9]-[0-3][0-9] at [0-2][0-9]:[0-5][0-9]"));
+  const std::string when = next.document.question->when;
+  CHECK_THAT(when, Catch::Matchers::Matches("20[0-9]{2}-[01][0-9]-[0-3][0-9]T[0-2][0-9]:[0-5][0-9]"));
+  CHECK_THAT(question_panel(next).text,
+             contains("scene.toml") && contains(when.substr(0, 10) + " at " + when.substr(11)));
   update(next, action::AnswerQuestion{Answer::recover});
   CHECK(next.scene() == scene);
   CHECK(next.document.dirty);
@@ -280,4 +282,28 @@ TEST_CASE("an autosave that somebody has removed is written again, while there i
   update(state, action::Save{});
   update(state, action::Tick{autosave_every + 1});
   CHECK_FALSE(std::filesystem::exists(autosave));
+}
+
+TEST_CASE("the question says when an autosave was written in the language of the window, an older one's too") {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder.file("state"));
+  for (const char* written : {"2026-11-21T14:05", "2026-11-21 at 14:05"}) {
+    CAPTURE(written);
+    REQUIRE(write_file_atomically(
+        folder.file("state/autosave.toml"),
+        "# autosave of: mine.toml\n# written on: " + std::string(written) + "\n" + format_scene(busy_scene()).value()));
+    State state = make_state({busy_scene(), {}, {}}, {}, folder.file("state"));
+    restore_session(state);
+    REQUIRE(state.document.question);
+    const auto said_in = [&](Language language) {
+      state.appearance.language = language;
+      return question_panel(state).text;
+    };
+    CHECK_THAT(said_in(in_english), contains(" 2026-11-21 at 14:05 "));
+    CHECK_THAT(said_in(in_portuguese), contains(" 2026-11-21 às 14:05 "));
+    // Nobody knows from which folder a relative path led.
+    update(state, action::AnswerQuestion{Answer::recover});
+    CHECK(state.scene() == busy_scene());
+    CHECK(state.document.path.empty());
+  }
 }

@@ -34,12 +34,12 @@ std::string autosave_name(int number) {
   return number == 1 ? "autosave.toml" : "autosave-" + std::to_string(number) + ".toml";
 }
 
-/// The current time as text: "2026-11-21 at 14:05".
+/// The current time as in ISO 8601, without seconds: "2026-11-21T14:05".
 std::string now_text() {
   const std::time_t now = std::time(nullptr);
   std::tm parts{};
   std::array<char, 64> text{};
-  if (localtime_r(&now, &parts) != nullptr) std::strftime(text.data(), text.size(), "%Y-%m-%d at %H:%M", &parts);
+  if (localtime_r(&now, &parts) != nullptr) std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M", &parts);
   return text.data();
 }
 

@@ -52,7 +52,7 @@ struct Question {
   std::string path{};      ///< of the intent, or of the file that the autosave belongs to (may be empty)
   std::string autosave{};  ///< recover: the autosave
   std::shared_ptr<const FileHold> hold{};  ///< recover: of it, so that no other window asks about it too
-  std::string when{};                      ///< recover: when it was written, as text
+  std::string when{};                      ///< recover: when it was written: "2026-11-21T14:05"
 };
 template <>
 inline constexpr Word<Question::Kind> words_of<Question::Kind>[] = {{Question::Kind::unsaved, "unsaved"},
