@@ -84,7 +84,8 @@ void write_settings(const std::string& state_dir, const Settings& settings) {
   if (!settings.link_page.empty()) json["link_page"] = settings.link_page;
   std::error_code error;
   std::filesystem::create_directories(state_dir, error);
-  static_cast<void>(write_file_atomically(settings_path(state_dir), json.dump(2) + "\n"));
+  const std::string text = json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
+  static_cast<void>(write_file_atomically(settings_path(state_dir), text + "\n"));
 }
 
 Language language_of_environment(const Languages& languages) {

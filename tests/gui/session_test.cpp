@@ -119,6 +119,10 @@ TEST_CASE("settings are kept; broken ones are as good as none") {
   std::ofstream(folder / "state/settings.json") << R"({"ui_scale": 1e9})";
   CHECK(read_settings(folder / "state").ui_scale == max_ui_scale);
   CHECK(read_settings("") == Settings{});
+  Settings odd;
+  odd.link_page = "https://caf\xe9.example/";  // which is no UTF-8
+  write_settings(folder / "state", odd);
+  CHECK_THAT(read_settings(folder / "state").link_page, contains("https://caf"));
 }
 
 TEST_CASE("the language is the option's, else the one that was kept, else the environment's, else English") {
