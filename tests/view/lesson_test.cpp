@@ -550,3 +550,17 @@ TEST_CASE("a lesson whose folder's name is no UTF-8 is walked like any other") {
   CHECK(state.lessons.step == 1);
   CHECK(std::filesystem::exists(folder.file("state/lessons.json")));
 }
+
+TEST_CASE("lessons that were unlocked stay so where other options change before the list is read") {
+  const test::TemporaryFolder folder;
+  State first = with_lessons(folder.path());
+  update(first, action::SetLessonOptions{false, true});
+  State demo = make_state(read_scene(root + "/scenes/classic.toml").value(), {}, folder.path());
+  demo.lessons.folder = root + "/lessons";
+  update(demo, action::SetLessonOptions{true, false});
+  CHECK(demo.lessons.presenter);
+  CHECK(demo.lessons.unlocked);
+  CHECK(with_lessons(folder.path()).lessons.unlocked);
+  update(demo, action::SetLessonOptions{true, false});
+  CHECK_FALSE(with_lessons(folder.path()).lessons.unlocked);
+}

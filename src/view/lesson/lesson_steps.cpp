@@ -293,8 +293,11 @@ void action::RevealLesson::apply(State& state) const {
 }
 
 void action::SetLessonOptions::apply(State& state) const {
+  // Who changes something else, perhaps before the list was read, does not lock what an earlier sitting has unlocked.
+  const bool changes_locks = unlocked != state.lessons.unlocked;
+  read_list(state);
+  if (changes_locks) state.lessons.unlocked = unlocked;
   state.lessons.presenter = presenter;
-  state.lessons.unlocked = unlocked;
   state.lessons.notes = !without_notes;
   write_progress(state);
 }
