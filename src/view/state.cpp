@@ -9,14 +9,14 @@
 
 namespace raywalk {
 
-State make_state(SceneDocument document, std::string path, std::string state_dir, const Stop& stop) {
+State make_state(SceneDocument document, std::string path, std::string state_dir, const Stop& stop, Language language) {
   State state;
+  state.appearance.language = language;  // of what is said about the walk
   state.document.stop = stop;
   state.walk.timeline = std::make_shared<const Timeline>();
   state.document.state_dir = std::move(state_dir);
   state.structure.kind = watched_accelerators.front();
   show_document(state, std::move(document), std::move(path));
-  state.document.notice.reset();
   return state;
 }
 

@@ -93,7 +93,7 @@ inline constexpr auto words_of<Tab> = rooms::tab_words(Rooms());
 
 /// A state that shows `document`, fitted to the viewport, at position 0.
 [[nodiscard]] State make_state(SceneDocument document, std::string path = {}, std::string state_dir = {},
-                               const Stop& stop = {});
+                               const Stop& stop = {}, Language language = {});
 
 /// Reads the list of recent files and looks for an autosave in state.state_dir; if there is one, asks whether to
 /// recover it. To be called once at the start.

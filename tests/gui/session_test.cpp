@@ -194,6 +194,22 @@ TEST_CASE("work on a file named from its own folder is recovered into it, and in
   CHECK(read_scene(folder / "b/my.toml")->scene == read_scene(shipped)->scene);
 }
 
+TEST_CASE("a window that begins with a scene whose beams cannot be followed says so, in its language") {
+  const Folder folder;
+  auto document = read_scene(RAYWALK_SOURCE_DIR "/scenes/beams.toml");
+  REQUIRE(document.has_value());
+  Object& egg = document->scene.objects[0];
+  egg.transform.push_back({Scale{{1, 1.5, 1}}});
+  GuiOptions wanted = options(folder);
+  wanted.scene_path = folder / "egg.toml";
+  wanted.language = in_portuguese;
+  REQUIRE(write_scene(*document, wanted.scene_path));
+  const auto state = start(wanted);
+  REQUIRE(state.has_value());
+  REQUIRE(state->document.notice);
+  CHECK(state->document.notice->text == fill("notice.no_beams", in_portuguese, {{"object", egg.name}}));
+}
+
 TEST_CASE("a picture is taken of the scene alone: no question of an earlier sitting, nothing left behind") {
   const Folder folder;
   GuiOptions wanted = options(folder);

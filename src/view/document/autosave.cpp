@@ -193,7 +193,7 @@ void recover(State& state, const Question& question) {
   state.document.saved_ink = file ? file->ink : Ink{};
   state.document.dirty = changed || state.document.contents.ink_of_file() != state.document.saved_ink;
   state.document.autosaved_revision = 0;
-  inform(state, fill("notice.recovered", state.appearance.language, {{"file", document_title(state)}}));
+  inform_above(state, fill("notice.recovered", state.appearance.language, {{"file", document_title(state)}}));
 }
 
 void add_recent(State& state, const std::string& path) {

@@ -14,6 +14,11 @@ namespace raywalk {
 inline void inform(State& state, std::string text) {
   state.document.notice = Notice{Notice::Kind::info, std::move(text)};
 }
+/// The same above what is said already, such as how much of a scene is walked.
+inline void inform_above(State& state, std::string text) {
+  const auto said = std::exchange(state.document.notice, std::nullopt);
+  inform(state, said ? std::move(text) + "\n" + said->text : std::move(text));
+}
 inline void complain(State& state, std::string text) {
   state.document.notice = Notice{Notice::Kind::error, std::move(text)};
 }

@@ -34,8 +34,8 @@ void open_file(State& state, const std::string& path) {
   const std::vector<std::string> warnings = collected(document->warnings);
   show_another(state, std::move(*document), absolute_path(path));
   add_recent(state, state.document.path);
-  inform(state,
-         warnings.empty() ? fill("notice.opened", state.appearance.language, {{"file", path}}) : warnings.front());
+  inform_above(
+      state, warnings.empty() ? fill("notice.opened", state.appearance.language, {{"file", path}}) : warnings.front());
 }
 
 void begin_scene(State& state, const std::string& /*path*/) {

@@ -18,7 +18,7 @@
 
 namespace raywalk {
 
-/// A one-line message, until the next one.
+/// A short message, until the next one.
 struct Notice {
   enum class Kind { info, error };
   Kind kind = Kind::info;
