@@ -3,6 +3,7 @@
 #include "gui/broken_lines.h"
 #include "gui/platform.h"
 #include "gui/widgets.h"
+#include "text/file_path.h"
 #include "view/export/export.h"
 #include "view/text/text.h"
 
@@ -18,12 +19,6 @@ namespace raywalk {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string absolute(const std::string& path) {
-  std::error_code error;
-  const fs::path whole = fs::absolute(path.empty() ? "." : path, error);
-  return error ? path : whole.lexically_normal().string();
-}
 
 std::string title_of(PathPrompt asking, const Ui& ui) {
   switch (asking) {
@@ -78,10 +73,11 @@ void Browser::begin(const State& state, const std::string& home) {
   std::error_code failed;
   const bool own = !state.document.path.empty() && (opens(asking_) || !fs::equivalent(folder, home, failed));
   const bool exports = asking_ == PathPrompt::export_walk;
-  go_to(absolute(exports && !export_folder_.empty() ? export_folder_
-                 : own                              ? folder
-                 : opens(asking_)                   ? home
-                                                    : std::string()));
+  const std::string first = exports && !export_folder_.empty() ? export_folder_
+                            : own                              ? folder
+                            : opens(asking_)                   ? home
+                                                               : std::string();
+  go_to(absolute_path(first.empty() ? "." : first));
   typed_.clear();
   if (asking_ == PathPrompt::save_as)
     typed_ = state.document.path.empty() ? "scene.toml" : current.stem().string() + ".toml";

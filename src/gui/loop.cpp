@@ -152,8 +152,10 @@ class Loop::Parts {
     if (cancelled) {
       // The autosave may be gone, with its name.
       std::string autosave_file = std::move(state_.document.autosave_file);
+      auto autosave_hold = std::move(state_.document.autosave_hold);
       state_ = *before;
       state_.document.autosave_file = std::move(autosave_file);
+      state_.document.autosave_hold = std::move(autosave_hold);
       state_.document.autosaved_revision = 0;
       state_.document.notice =
           Notice{Notice::Kind::info, fill("notice.reading_cancelled", state_.appearance.language, {{"file", *file}})};

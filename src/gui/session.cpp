@@ -4,6 +4,8 @@
 #include "scene/warnings.h"
 #include "study/shot.h"
 #include "text/file.h"
+#include "text/file_path.h"
+#include "view/document/document.h"
 
 #include <nlohmann/json.hpp>
 
@@ -84,7 +86,8 @@ void write_settings(const std::string& state_dir, const Settings& settings) {
   if (!settings.link_page.empty()) json["link_page"] = settings.link_page;
   std::error_code error;
   std::filesystem::create_directories(state_dir, error);
-  static_cast<void>(write_file_atomically(settings_path(state_dir), json.dump(2) + "\n"));
+  const std::string text = json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
+  static_cast<void>(write_file_atomically(settings_path(state_dir), text + "\n"));
 }
 
 Language language_of_environment(const Languages& languages) {
@@ -123,13 +126,12 @@ Result<State> start(const GuiOptions& options, const Stop& stop) {
   // A screenshot shows this scene: without questions about an earlier one, and without leaving traces.
   const bool picture = !options.screenshot_path.empty();
   const std::string folder = picture ? std::string() : state_folder(options);
-  State state = make_state(std::move(*document), path, folder, stop);
   const Settings settings = read_settings(folder);
-  state.appearance.language = language_for(options, settings);
+  State state = make_state(std::move(*document), absolute_path(path), folder, stop, language_for(options, settings));
   state.lessons.folder = options.data_dir + "/lessons";
   state.lessons.scenes_folder = options.data_dir + "/scenes";
   restore_session(state);
-  if (!warnings.empty()) state.document.notice = Notice{Notice::Kind::info, warnings.front()};
+  if (!warnings.empty()) inform_above(state, warnings.front());
   if (!options.broken_texts.empty())
     state.document.notice = Notice{Notice::Kind::error, fill("notice.broken_texts", state.appearance.language,
                                                              {{"why", options.broken_texts.front().text()}})};

@@ -9,6 +9,21 @@
 #include <string_view>
 #include <utility>
 
+namespace raywalk {
+
+namespace fs = std::filesystem;
+
+std::string absolute_path(const std::string& path) {
+  std::error_code failed;
+  const fs::path whole = fs::absolute(path, failed);
+  if (path.empty() || failed) return path;
+  // Behind a link to a folder, ".." leads elsewhere than the words say.
+  fs::path plain = whole.lexically_normal();
+  return (fs::equivalent(whole.parent_path(), plain.parent_path(), failed) ? plain : whole).string();
+}
+
+}  // namespace raywalk
+
 namespace raywalk::detail {
 
 namespace fs = std::filesystem;

@@ -7,6 +7,13 @@
 #include <optional>
 #include <string>
 
+namespace raywalk {
+
+/// The same file by a path that leads to it from every working folder, such as a later session's.
+[[nodiscard]] std::string absolute_path(const std::string& path);
+
+}  // namespace raywalk
+
 namespace raywalk::detail {
 
 /// The file that `path` leads to through all symbolic links, even if that file does not exist yet.

@@ -9,14 +9,14 @@
 
 namespace raywalk {
 
-State make_state(SceneDocument document, std::string path, std::string state_dir, const Stop& stop) {
+State make_state(SceneDocument document, std::string path, std::string state_dir, const Stop& stop, Language language) {
   State state;
+  state.appearance.language = language;  // of what is said about the walk
   state.document.stop = stop;
   state.walk.timeline = std::make_shared<const Timeline>();
   state.document.state_dir = std::move(state_dir);
   state.structure.kind = watched_accelerators.front();
   show_document(state, std::move(document), std::move(path));
-  state.document.notice.reset();
   return state;
 }
 
@@ -93,9 +93,12 @@ int live_cell(const State& state) {
   return walked >= 0 ? walked : cells / 2;
 }
 
+bool holds_unsaved_work(const State& state) {
+  return state.document.dirty && !state.bugs.hunt && !state.document.state_dir.empty();
+}
+
 bool wants_autosave(const State& state) {
-  return state.document.dirty && !state.bugs.hunt && state.document.revision != state.document.autosaved_revision &&
-         !state.document.state_dir.empty();
+  return holds_unsaved_work(state) && state.document.revision != state.document.autosaved_revision;
 }
 
 std::string document_title(const State& state) {

@@ -93,7 +93,7 @@ inline constexpr auto words_of<Tab> = rooms::tab_words(Rooms());
 
 /// A state that shows `document`, fitted to the viewport, at position 0.
 [[nodiscard]] State make_state(SceneDocument document, std::string path = {}, std::string state_dir = {},
-                               const Stop& stop = {});
+                               const Stop& stop = {}, Language language = {});
 
 /// Reads the list of recent files and looks for an autosave in state.state_dir; if there is one, asks whether to
 /// recover it. To be called once at the start.
@@ -127,7 +127,9 @@ void choose(const State& state, RenderChoices& choices);
 /// walked.
 [[nodiscard]] int current_cell(const State& state);
 
-/// Whether there is unsaved work that is not in the autosave. The scene of a hunt does not count.
+/// Whether there is unsaved work, and a folder to autosave it in. The scene of a hunt does not count.
+[[nodiscard]] bool holds_unsaved_work(const State& state);
+/// Whether there is some that is not in the autosave.
 [[nodiscard]] bool wants_autosave(const State& state);
 
 /// The file's name for the title bar: without folders, "Untitled" if never saved, with "*" in front if dirty.

@@ -11,6 +11,7 @@
 #include "gui/report.h"
 #include "support/catch.h"
 #include "support/languages.h"
+#include "support/working_folder.h"
 
 using namespace raywalk;
 using namespace raywalk::test;
@@ -118,6 +119,10 @@ TEST_CASE("settings are kept; broken ones are as good as none") {
   std::ofstream(folder / "state/settings.json") << R"({"ui_scale": 1e9})";
   CHECK(read_settings(folder / "state").ui_scale == max_ui_scale);
   CHECK(read_settings("") == Settings{});
+  Settings odd;
+  odd.link_page = "https://caf\xe9.example/";  // which is no UTF-8
+  write_settings(folder / "state", odd);
+  CHECK_THAT(read_settings(folder / "state").link_page, contains("https://caf"));
 }
 
 TEST_CASE("the language is the option's, else the one that was kept, else the environment's, else English") {
@@ -161,14 +166,61 @@ TEST_CASE("a file of texts that cannot be read is told in the window, with its l
   CHECK_THAT(state->document.notice->text, contains("texts/fr.toml:6:"));
 }
 
+TEST_CASE("work on a file named from its own folder is recovered into it, and into no other of its name") {
+  const Folder folder;
+  const std::string shipped = RAYWALK_SOURCE_DIR "/scenes/classic.toml";
+  for (const char* name : {"a", "b"}) {
+    fs::create_directories(folder / name);
+    fs::copy_file(shipped, folder / (std::string(name) + "/my.toml"));
+  }
+  GuiOptions wanted = options(folder);
+  wanted.scene_path = "my.toml";
+  Scene lost;
+  {
+    const WorkingFolder there(folder / "a");
+    auto state = start(wanted);
+    REQUIRE(state.has_value());
+    update(*state, action::AddObject{action::ObjectKind::polygon});
+    update(*state, action::Tick{60});
+    lost = state->scene();
+  }
+  const WorkingFolder elsewhere(folder / "b");
+  auto state = start(wanted);
+  REQUIRE(state.has_value());
+  REQUIRE(state->document.question);
+  update(*state, action::AnswerQuestion{action::Answer::recover});
+  update(*state, action::Save{});
+  CHECK(read_scene(folder / "a/my.toml")->scene == lost);
+  CHECK(read_scene(folder / "b/my.toml")->scene == read_scene(shipped)->scene);
+}
+
+TEST_CASE("a window that begins with a scene whose beams cannot be followed says so, in its language") {
+  const Folder folder;
+  auto document = read_scene(RAYWALK_SOURCE_DIR "/scenes/beams.toml");
+  REQUIRE(document.has_value());
+  Object& egg = document->scene.objects[0];
+  egg.transform.push_back({Scale{{1, 1.5, 1}}});
+  GuiOptions wanted = options(folder);
+  wanted.scene_path = folder / "egg.toml";
+  wanted.language = in_portuguese;
+  REQUIRE(write_scene(*document, wanted.scene_path));
+  const auto state = start(wanted);
+  REQUIRE(state.has_value());
+  REQUIRE(state->document.notice);
+  CHECK(state->document.notice->text == fill("notice.no_beams", in_portuguese, {{"object", egg.name}}));
+}
+
 TEST_CASE("a picture is taken of the scene alone: no question of an earlier sitting, nothing left behind") {
   const Folder folder;
   GuiOptions wanted = options(folder);
-  auto state = start(wanted);
-  REQUIRE(state.has_value());
-  update(*state, action::AddObject{action::ObjectKind::polygon});
-  update(*state, action::Tick{60});
-  REQUIRE(fs::exists(folder / "state/autosave.toml"));
+  {
+    auto state = start(wanted);
+    REQUIRE(state.has_value());
+    update(*state, action::AddObject{action::ObjectKind::polygon});
+    update(*state, action::Tick{60});
+    REQUIRE(fs::exists(folder / "state/autosave.toml"));
+    CHECK_FALSE(start(wanted)->document.question.has_value());  // that window still runs
+  }
   CHECK(start(wanted)->document.question.has_value());
   wanted.screenshot_path = folder / "picture.png";
   CHECK_FALSE(start(wanted)->document.question.has_value());

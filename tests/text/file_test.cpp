@@ -1,4 +1,6 @@
 #include "text/file.h"
+#include "text/file_hold.h"
+#include "text/file_path.h"
 #include "text/text_file.h"
 
 #include <fcntl.h>
@@ -264,4 +266,37 @@ TEST_CASE("what cannot be read says so") {
   put(folder.file("exact"), std::string(100, 'x'));
   CHECK(read_file(folder.file("exact"), 100));
   CHECK(!read_file(folder.file("exact"), 99));
+}
+
+TEST_CASE("an absolute path leads to the same file, past links to folders too") {
+  const TemporaryFolder folder;
+  CHECK(absolute_path("mine.toml") == (fs::current_path() / "mine.toml").string());
+  CHECK(absolute_path("./mine.toml") == (fs::current_path() / "mine.toml").string());
+  CHECK(absolute_path("").empty());
+  fs::create_directories(folder.file("far/inner"));
+  CHECK(absolute_path(folder.file("far//inner/../mine.toml")) == folder.file("far/mine.toml"));
+  fs::create_directory_symlink("far/inner", folder.file("link"));
+  const std::string beyond = folder.file("link/../mine.toml");  // in far
+  CHECK(absolute_path(beyond) == beyond);
+}
+
+TEST_CASE("a file is held by one alone, until that lets go, and the file itself may be replaced meanwhile") {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("held");
+  auto first = FileHold::take(path);
+  REQUIRE(first);
+  CHECK_FALSE(FileHold::take(path));
+  REQUIRE(write_file_atomically(path, "new"));
+  CHECK_FALSE(FileHold::take(path));
+  CHECK(FileHold::take(folder.file("another")));
+  first.reset();
+  CHECK(folder.entries() == 1);  // no lock is left behind
+  CHECK(FileHold::take(path));
+  // A lock whose process is gone.
+  REQUIRE(write_file_atomically(folder.file(".held.lock"), ""));
+  CHECK(FileHold::take(path));
+  // Where there can be no lock, everybody may have the file.
+  const std::string nowhere = folder.file("missing/held");
+  const auto one = FileHold::take(nowhere), two = FileHold::take(nowhere);
+  CHECK((one && two));
 }

@@ -7,6 +7,7 @@
 #include "fixtures.h"
 #include "io/scene_file.h"
 #include "support/catch.h"
+#include "support/languages.h"
 #include "view/legend/legend.h"
 #include "view/plan/plan_geometry.h"
 #include "view/space/lines_view.h"
@@ -291,4 +292,31 @@ TEST_CASE("where a curved mirror decides, some rays are drawn as it reflects the
   }
   CHECK(balls > 0);
   CHECK(others > 0);
+}
+
+TEST_CASE("a scene whose beams cannot be followed says so when it is opened, and when its work is recovered") {
+  const TemporaryFolder folder;
+  Scene scene = beam_state().scene();
+  scene.objects[0].transform.push_back({Scale{{1, 1.5, 1}}});
+  const std::string& egg = scene.objects[0].name;
+  const std::string why = fill("notice.no_beams", in_english, {{"object", egg}});
+  State state = state_of(scene);
+  state.document.state_dir = folder.file("state");
+  update(state, action::SaveAs{folder.file("egg.toml")});
+  State other = classic_state();
+  update(other, action::Open{folder.file("egg.toml")});
+  REQUIRE(other.document.notice);
+  CHECK_THAT(other.document.notice->text, contains("Opened") && contains(why));
+  CHECK(other.document.notice->kind == Notice::Kind::info);
+  make_dirty(state);
+  update(state, action::Tick{1});
+  crash(state);
+  other.document.state_dir = folder.file("state");
+  restore_session(other);
+  update(other, action::AnswerQuestion{action::Answer::recover});
+  CHECK_THAT(other.document.notice->text, contains("Recovered") && contains(why));
+  // In the language that the window begins with.
+  const State begun = make_state({scene, {}, {}}, {}, {}, {}, in_portuguese);
+  REQUIRE(begun.document.notice);
+  CHECK(begun.document.notice->text == fill("notice.no_beams", in_portuguese, {{"object", egg}}));
 }

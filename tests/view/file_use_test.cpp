@@ -86,6 +86,7 @@ TEST_CASE("an autosave finds the scene's mesh from its own folder, and takes it 
   State state = mesh_state(folder);
   make_dirty(state);
   for (int i = 0; i < 8; ++i) update(state, action::Tick{1});
+  crash(state);
   State next = make_state(read_document(folder.file("from/s.toml")), folder.file("from/s.toml"), folder.file("state"));
   restore_session(next);
   REQUIRE(next.document.question);

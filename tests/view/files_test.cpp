@@ -5,6 +5,7 @@
 
 #include "support/catch.h"
 #include "support/languages.h"
+#include "support/working_folder.h"
 
 using namespace raywalk;
 using namespace raywalk::test;
@@ -215,26 +216,45 @@ TEST_CASE("autosaves are seldom, and none is written while nothing changes") {
   update(state, action::Tick{0.1});
   const std::string autosave = folder.file("state/autosave.toml");
   REQUIRE(std::filesystem::exists(autosave));
-  std::filesystem::remove(autosave);
+  const std::string mark = "as it was";
+  const auto is_written = [&] { return read_file(autosave, 1 << 20).value() != mark; };
+  REQUIRE(write_file_atomically(autosave, mark));
   make_dirty(state);
   update(state, action::Tick{autosave_every / 2});
-  CHECK_FALSE(std::filesystem::exists(autosave));
+  CHECK_FALSE(is_written());
   update(state, action::Tick{autosave_every});
-  CHECK(std::filesystem::exists(autosave));
-  std::filesystem::remove(autosave);
+  CHECK(is_written());
+  REQUIRE(write_file_atomically(autosave, mark));
   for (int i = 0; i < 10; ++i) update(state, action::Tick{autosave_every});
-  CHECK_FALSE(std::filesystem::exists(autosave));
+  CHECK_FALSE(is_written());
 }
 
-TEST_CASE("an autosave that cannot be written is reported") {
+TEST_CASE("an autosave that cannot be written is reported once, and tried again") {
   const TemporaryFolder folder;
   State state = saved_state(folder);
-  REQUIRE(write_file_atomically(folder.file("blocked"), "a file where a folder is wanted"));
+  const auto block = [&] { REQUIRE(write_file_atomically(folder.file("blocked"), "a file where a folder is wanted")); };
+  const auto is_reported = [&] {
+    const auto said = std::exchange(state.document.notice, std::nullopt);
+    return said && said->kind == Notice::Kind::error;
+  };
+  block();
   state.document.state_dir = folder.file("blocked");
   make_dirty(state);
   update(state, action::Tick{1});
-  REQUIRE(state.document.notice);
-  CHECK(state.document.notice->kind == Notice::Kind::error);
+  CHECK(is_reported());
+  update(state, action::Tick{autosave_every + 1});
+  CHECK_FALSE(is_reported());
+  std::filesystem::remove(folder.file("blocked"));
+  update(state, action::Tick{autosave_every / 2});
+  CHECK_FALSE(std::filesystem::exists(folder.file("blocked/autosave.toml")));
+  update(state, action::Tick{autosave_every});
+  CHECK(std::filesystem::exists(folder.file("blocked/autosave.toml")));
+  CHECK_FALSE(is_reported());
+  // Once it was written, a failure is news again.
+  std::filesystem::remove_all(folder.file("blocked"));
+  block();
+  update(state, action::Tick{autosave_every + 1});
+  CHECK(is_reported());
 }
 
 TEST_CASE("recent files are remembered, the latest first, each once") {
@@ -329,4 +349,18 @@ TEST_CASE("what waited for a path is dropped where the window is closed instead,
   update(state, action::SaveAs{folder.file("mine.toml")});
   CHECK(state.scene() == scene);
   CHECK(state.document.path == folder.file("mine.toml"));
+}
+
+TEST_CASE("a scene remembers its file by a path that leads there from every folder") {
+  const TemporaryFolder folder;
+  const WorkingFolder there(folder.path());
+  State state = busy_state();
+  update(state, action::SaveAs{"mine.toml"});
+  CHECK(state.document.path == folder.file("mine.toml"));
+  CHECK(state.document.notice->text == fill("notice.saved_as", in_english, {{"file", "mine.toml"}}));
+  State other = busy_state();
+  update(other, action::Open{"mine.toml"});
+  CHECK(other.document.path == folder.file("mine.toml"));
+  CHECK(other.document.recent.front() == folder.file("mine.toml"));
+  CHECK(other.document.notice->text == fill("notice.opened", in_english, {{"file", "mine.toml"}}));
 }

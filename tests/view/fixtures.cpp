@@ -178,6 +178,8 @@ void make_dirty(State& state) {
   REQUIRE(state.document.dirty);
 }
 
+void crash(State& state) { state.document.autosave_hold.reset(); }
+
 State saved_state(const TemporaryFolder& folder, const std::string& name) {
   State state = state_of(busy_scene());
   state.document.state_dir = folder.file("state");

@@ -65,6 +65,8 @@ class TemporaryFolder {
 
 /// Edits the scene so that it is not saved.
 void make_dirty(State& state);
+/// What its window held is free, as when that has crashed; the files stay.
+void crash(State& state);
 /// The busy scene, saved in `folder`, with the folder of its state beside it.
 State saved_state(const TemporaryFolder& folder, const std::string& name = "scene.toml");
 

@@ -69,6 +69,7 @@ TEST_CASE("kept ink is autosaved and recovered") {
   drag(state, {60, 200}, {160, 230});
   CHECK(wants_autosave(state));
   update(state, action::Tick{autosave_every + 1});
+  crash(state);
   State next = make_state(read_document(folder.file("scene.toml")), folder.file("scene.toml"), folder.file("state"));
   restore_session(next);
   REQUIRE(next.document.question);

@@ -533,3 +533,34 @@ TEST_CASE("beside closed lessons the rays of all pixels are shown again") {
   update(state, action::ShowLessons{false});
   CHECK(rays_shown(state).first_pixel == 0);
 }
+
+TEST_CASE("a lesson whose folder's name is no UTF-8 is walked like any other") {
+  const test::TemporaryFolder folder;
+  const std::string name = "1-caf\xe9";
+  std::filesystem::create_directories(folder.file("lessons"));
+  std::error_code refused;  // as some file systems do
+  std::filesystem::copy(root + "/lessons/01-ray-casting", folder.file("lessons/" + name), refused);
+  if (refused) return;
+  State state = with_lessons(folder.file("state"));
+  state.lessons.list.clear();
+  state.lessons.folder = folder.file("lessons");
+  update(state, action::OpenLesson{name});
+  REQUIRE(state.lessons.open);
+  update(state, action::GoToLessonStep{1});
+  CHECK(state.lessons.step == 1);
+  CHECK(std::filesystem::exists(folder.file("state/lessons.json")));
+}
+
+TEST_CASE("lessons that were unlocked stay so where other options change before the list is read") {
+  const test::TemporaryFolder folder;
+  State first = with_lessons(folder.path());
+  update(first, action::SetLessonOptions{false, true});
+  State demo = make_state(read_scene(root + "/scenes/classic.toml").value(), {}, folder.path());
+  demo.lessons.folder = root + "/lessons";
+  update(demo, action::SetLessonOptions{true, false});
+  CHECK(demo.lessons.presenter);
+  CHECK(demo.lessons.unlocked);
+  CHECK(with_lessons(folder.path()).lessons.unlocked);
+  update(demo, action::SetLessonOptions{true, false});
+  CHECK_FALSE(with_lessons(folder.path()).lessons.unlocked);
+}

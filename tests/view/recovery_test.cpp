@@ -5,6 +5,7 @@
 #include "view/text/text.h"
 
 #include "support/catch.h"
+#include "support/languages.h"
 
 using namespace raywalk;
 using namespace raywalk::test;
@@ -19,15 +20,16 @@ TEST_CASE("what is not saved is autosaved within seconds, and recovered at the n
   const std::string autosave = folder.file("state/autosave.toml");
   REQUIRE(std::filesystem::exists(autosave));
 
-  // As after a crash: a new state on the same file.
+  crash(state);
   State next = make_state(read_document(folder.file("scene.toml")), folder.file("scene.toml"), folder.file("state"));
   restore_session(next);
   REQUIRE(next.document.question);
   CHECK(next.document.question->kind == Question::Kind::recover);
   CHECK(next.document.question->path == folder.file("scene.toml"));
-  CHECK_THAT(question_panel(next).text, contains("scene.toml") && contains(std::string(next.document.question->when)));
-  CHECK_THAT(next.document.question->when,
-             Catch::Matchers::Matches("20[0-9]{2}-[01][0-9]-[0-3][0-9] at [0-2][0-9]:[0-5][0-9]"));
+  const std::string when = next.document.question->when;
+  CHECK_THAT(when, Catch::Matchers::Matches("20[0-9]{2}-[01][0-9]-[0-3][0-9]T[0-2][0-9]:[0-5][0-9]"));
+  CHECK_THAT(question_panel(next).text,
+             contains("scene.toml") && contains(when.substr(0, 10) + " at " + when.substr(11)));
   update(next, action::AnswerQuestion{Answer::recover});
   CHECK(next.scene() == scene);
   CHECK(next.document.dirty);
@@ -44,6 +46,7 @@ TEST_CASE("Later keeps an autosave whatever is done meanwhile, and the next star
   make_dirty(crashed);
   const Scene lost = crashed.scene();
   update(crashed, action::Tick{autosave_every + 1});
+  crash(crashed);
 
   // Another file is opened: the question says which one it is about and which one is open.
   REQUIRE(write_file_atomically(folder.file("other.toml"), read_file(folder.file("scene.toml"), 1 << 20).value()));
@@ -101,6 +104,7 @@ TEST_CASE("a thrown away autosave is gone, and so is that of a scene that was le
     make_dirty(state);
     for (int i = 0; i < 8; ++i) update(state, action::Tick{1});
     REQUIRE(std::filesystem::exists(autosave));
+    crash(state);
   };
   leave_autosave();
   State next = make_state({busy_scene(), {}, {}}, {}, folder.file("state"));
@@ -121,6 +125,7 @@ TEST_CASE("a scene that was never saved is recovered without a path") {
   make_dirty(state);
   const Scene scene = state.scene();
   update(state, action::Tick{1});
+  crash(state);
   State next = make_state({busy_scene(), {}, {}}, {}, folder.file("state"));
   restore_session(next);
   update(next, action::AnswerQuestion{Answer::recover});
@@ -135,6 +140,7 @@ TEST_CASE("leaving while recovery is offered keeps the autosave for the next sta
   State state = saved_state(folder);
   make_dirty(state);
   update(state, action::Tick{1});
+  crash(state);
   State next = make_state({busy_scene(), {}, {}}, {}, folder.file("state"));
   restore_session(next);
   update(next, action::Quit{});
@@ -160,6 +166,7 @@ TEST_CASE("work is recovered out of the hunt and out of the lesson that a link h
   make_dirty(crashed);
   const Scene lost = crashed.scene();
   update(crashed, action::Tick{1});
+  crash(crashed);
 
   State next = make_state({busy_scene(), {}, {}}, {}, folder.file("state"));
   next.lessons.folder = RAYWALK_SOURCE_DIR "/lessons";
@@ -222,4 +229,81 @@ TEST_CASE("two windows that start together keep an autosave each") {
   make_dirty(second);
   update(second, action::Undo{});
   CHECK_THAT(kept("autosave.toml"), contains("first.toml"));
+}
+
+TEST_CASE("the work of a window that still runs, or that another asks about, is not offered") {
+  const TemporaryFolder folder;
+  State running = saved_state(folder);
+  const auto begun = [&] {
+    State state = make_state({busy_scene(), {}, {}}, {}, folder.file("state"));
+    restore_session(state);
+    return state;
+  };
+  make_dirty(running);
+  update(running, action::Tick{1});
+  CHECK_FALSE(begun().document.question);
+  crash(running);
+  State asked = begun();
+  REQUIRE(asked.document.question);
+  CHECK_FALSE(begun().document.question);
+  SECTION("postponed, it is free again") {
+    update(asked, action::AnswerQuestion{Answer::cancel});
+    CHECK(begun().document.question);
+  }
+  SECTION("recovered, it is the work of who recovered it") {
+    update(asked, action::AnswerQuestion{Answer::recover});
+    CHECK_FALSE(begun().document.question);
+    crash(asked);
+    CHECK(begun().document.question);
+  }
+  SECTION("thrown away, nothing is left but what others hold") {
+    State other = begun();
+    make_dirty(other);
+    update(other, action::Tick{1});
+    update(asked, action::AnswerQuestion{Answer::discard});
+    CHECK_FALSE(asked.document.question);
+    CHECK_FALSE(std::filesystem::exists(folder.file("state/autosave.toml")));
+    CHECK(std::filesystem::exists(folder.file("state/autosave-2.toml")));
+  }
+}
+
+TEST_CASE("an autosave that somebody has removed is written again, while there is work that only it holds") {
+  const TemporaryFolder folder;
+  const std::string autosave = folder.file("state/autosave.toml");
+  State state = saved_state(folder);
+  make_dirty(state);
+  update(state, action::Tick{1});
+  std::filesystem::remove_all(folder.file("state"));
+  update(state, action::Tick{autosave_every + 1});
+  CHECK(std::filesystem::exists(autosave));
+  State other = make_state({busy_scene(), {}, {}}, {}, folder.file("state"));
+  restore_session(other);
+  CHECK_FALSE(other.document.question);
+  update(state, action::Save{});
+  update(state, action::Tick{autosave_every + 1});
+  CHECK_FALSE(std::filesystem::exists(autosave));
+}
+
+TEST_CASE("the question says when an autosave was written in the language of the window, an older one's too") {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder.file("state"));
+  for (const char* written : {"2026-11-21T14:05", "2026-11-21 at 14:05"}) {
+    CAPTURE(written);
+    REQUIRE(write_file_atomically(
+        folder.file("state/autosave.toml"),
+        "# autosave of: mine.toml\n# written on: " + std::string(written) + "\n" + format_scene(busy_scene()).value()));
+    State state = make_state({busy_scene(), {}, {}}, {}, folder.file("state"));
+    restore_session(state);
+    REQUIRE(state.document.question);
+    const auto said_in = [&](Language language) {
+      state.appearance.language = language;
+      return question_panel(state).text;
+    };
+    CHECK_THAT(said_in(in_english), contains(" 2026-11-21 at 14:05 "));
+    CHECK_THAT(said_in(in_portuguese), contains(" 2026-11-21 às 14:05 "));
+    // Nobody knows from which folder a relative path led.
+    update(state, action::AnswerQuestion{Answer::recover});
+    CHECK(state.scene() == busy_scene());
+    CHECK(state.document.path.empty());
+  }
 }

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 namespace raywalk {
 
@@ -33,12 +34,12 @@ std::string autosave_name(int number) {
   return number == 1 ? "autosave.toml" : "autosave-" + std::to_string(number) + ".toml";
 }
 
-/// The current time as text: "2026-11-21 at 14:05".
+/// The current time as in ISO 8601, without seconds: "2026-11-21T14:05".
 std::string now_text() {
   const std::time_t now = std::time(nullptr);
   std::tm parts{};
   std::array<char, 64> text{};
-  if (localtime_r(&now, &parts) != nullptr) std::strftime(text.data(), text.size(), "%Y-%m-%d at %H:%M", &parts);
+  if (localtime_r(&now, &parts) != nullptr) std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M", &parts);
   return text.data();
 }
 
@@ -53,36 +54,44 @@ std::optional<HeadLine> head_line(const std::string& text, std::size_t begin, st
   return HeadLine{text.substr(begin + head.size(), end - begin - head.size()), std::min(end + 1, text.size())};
 }
 
-/// Offers to recover the latest autosave of earlier sessions, if any.
+/// Offers to recover the latest autosave of earlier sessions, if any. Those of windows that still run are theirs.
 void ask_to_recover(State& state) {
   std::filesystem::file_time_type latest{};
   std::string found;
+  std::shared_ptr<const FileHold> hold;
   for (int i = 1; i <= max_autosaves; ++i) {
     std::error_code missing;
-    const std::filesystem::path path = file_in(state, autosave_name(i).c_str());
+    const std::string name = autosave_name(i), path = file_in(state, name.c_str());
     const auto written = std::filesystem::last_write_time(path, missing);
-    if (missing || (!found.empty() && written <= latest)) continue;
+    if (missing || name == state.document.autosave_file || (!found.empty() && written <= latest)) continue;
+    auto free = FileHold::take(path);
+    if (!free) continue;
     latest = written;
-    found = autosave_name(i);
+    found = name;
+    hold = std::move(free);
   }
   if (found.empty()) return;
   const Result<std::string> autosaved = read_file(file_in(state, found.c_str()), max_bytes);
   if (!autosaved) return;
-  state.document.question = Question{Question::Kind::recover, {}, {}, found, {}};
+  state.document.question = Question{Question::Kind::recover, {}, {}, found, std::move(hold), {}};
   std::size_t next = 0;
   if (const auto line = head_line(*autosaved, 0, autosave_head)) {
-    state.document.question->path = line->value;
+    // Earlier versions may have written a path of which nobody knows any more from where it led.
+    if (std::filesystem::path(line->value).is_absolute()) state.document.question->path = line->value;
     next = line->next;
   }
   if (const auto line = head_line(*autosaved, next, time_head)) state.document.question->when = line->value;
 }
 /// Gives this session's autosave a name that no other one has: another window may have started with the same folder.
 void claim_autosave(State& state) {
-  if (!state.document.autosave_file.empty()) return;
+  DocumentRoom& document = state.document;
+  if (!document.autosave_file.empty()) return;
   std::error_code failed;
-  std::filesystem::create_directories(state.document.state_dir, failed);  // a failure shows on writing
+  std::filesystem::create_directories(document.state_dir, failed);  // a failure shows on writing
   for (int i = 1; i <= max_autosaves; ++i) {
-    state.document.autosave_file = autosave_name(i);
+    document.autosave_file = autosave_name(i);
+    document.autosave_hold = FileHold::take(autosave_path(state));
+    if (!document.autosave_hold) continue;
     const Result<bool> made = make_new_file(autosave_path(state));
     if (!made || *made) return;
   }
@@ -114,21 +123,38 @@ void remove_autosave(State& state) {
   std::error_code failed;  // if absent, nothing to remove
   std::filesystem::remove(autosave_path(state), failed);
   state.document.autosave_file.clear();
+  state.document.autosave_hold.reset();
+}
+
+/// Whether somebody else has removed it, though there is work that only it holds.
+bool is_autosave_gone(const State& state) {
+  std::error_code failed;
+  return holds_unsaved_work(state) && !state.document.autosave_file.empty() &&
+         !std::filesystem::exists(autosave_path(state), failed);
 }
 
 }  // namespace
 
 void autosave(State& state, double seconds) {
   state.document.autosave_in = std::max(0.0, state.document.autosave_in - seconds);
-  if (!wants_autosave(state) || state.document.autosave_in > 0) return;
+  if (state.document.autosave_in > 0) return;
+  if (is_autosave_gone(state)) {
+    remove_autosave(state);
+  } else if (!wants_autosave(state)) {
+    return;
+  }
   state.document.autosave_in = autosave_every;
-  state.document.autosaved_revision = state.document.revision;
   const bool is_first = state.document.autosave_file.empty();
   claim_autosave(state);
   const Result<void> written = write_autosave(state);
-  if (!written && is_first) remove_autosave(state);  // nothing but a name
-  if (!written)
-    complain(state, fill("notice.autosave_failed", state.appearance.language, {{"why", written.error().text()}}));
+  const std::string why = written ? std::string() : written.error().text();
+  const bool is_news = std::exchange(state.document.autosave_failure, why) != why;
+  if (written) {
+    state.document.autosaved_revision = state.document.revision;
+    return;
+  }
+  if (is_first) remove_autosave(state);  // nothing but a name
+  if (is_news) complain(state, fill("notice.autosave_failed", state.appearance.language, {{"why", why}}));
 }
 
 void forget_autosave(State& state) {
@@ -143,8 +169,9 @@ void discard_autosave(State& state, const std::string& autosave) {
   ask_to_recover(state);
 }
 
-void recover(State& state, const std::string& original, const std::string& autosave) {
-  Result<SceneDocument> document = read_scene(file_in(state, autosave.c_str()));
+void recover(State& state, const Question& question) {
+  const std::string& original = question.path;
+  Result<SceneDocument> document = read_scene(file_in(state, question.autosave.c_str()));
   if (!document) return complain(state, document.error().text());
   std::string& text = document->text;
   if (const auto line = head_line(text, 0, autosave_head)) text.erase(0, line->next);
@@ -158,22 +185,20 @@ void recover(State& state, const std::string& original, const std::string& autos
   // A link may have opened a lesson or a hunt before this was asked.
   action::LeaveHunt{}.apply(state);
   show_another(state, std::move(*document), original);
-  state.document.autosave_file = autosave;  // it holds this session's work now
+  state.document.autosave_file = question.autosave;  // it holds this session's work now
+  state.document.autosave_hold = question.hold;
   // Without a file to compare with, everything is unsaved.
   const bool changed = !file || file->scene != state.scene();
   if (changed) state.document.saved = file ? file->scene : Scene{};
   state.document.saved_ink = file ? file->ink : Ink{};
   state.document.dirty = changed || state.document.contents.ink_of_file() != state.document.saved_ink;
   state.document.autosaved_revision = 0;
-  inform(state, fill("notice.recovered", state.appearance.language, {{"file", document_title(state)}}));
+  inform_above(state, fill("notice.recovered", state.appearance.language, {{"file", document_title(state)}}));
 }
 
 void add_recent(State& state, const std::string& path) {
-  std::error_code failed;
-  const std::filesystem::path absolute = std::filesystem::absolute(path, failed);
-  const std::string entry = failed ? path : absolute.lexically_normal().string();
-  std::erase(state.document.recent, entry);
-  state.document.recent.insert(state.document.recent.begin(), entry);
+  std::erase(state.document.recent, path);
+  state.document.recent.insert(state.document.recent.begin(), path);
   if (state.document.recent.size() > max_recent) state.document.recent.resize(max_recent);
   if (state.document.state_dir.empty()) return;
   std::string lines;

@@ -14,6 +14,11 @@ namespace raywalk {
 inline void inform(State& state, std::string text) {
   state.document.notice = Notice{Notice::Kind::info, std::move(text)};
 }
+/// The same above what is said already, such as how much of a scene is walked.
+inline void inform_above(State& state, std::string text) {
+  const auto said = std::exchange(state.document.notice, std::nullopt);
+  inform(state, said ? std::move(text) + "\n" + said->text : std::move(text));
+}
 inline void complain(State& state, std::string text) {
   state.document.notice = Notice{Notice::Kind::error, std::move(text)};
 }
@@ -64,7 +69,7 @@ void autosave(State& state, double seconds);
 void forget_autosave(State& state);
 /// Removes an autosave of an earlier session, and asks about the next one.
 void discard_autosave(State& state, const std::string& autosave);
-void recover(State& state, const std::string& original, const std::string& autosave);
+void recover(State& state, const Question& question);
 void add_recent(State& state, const std::string& path);
 
 // new_scene.cpp

@@ -1,6 +1,7 @@
 #include "render/parallel.h"
 #include "scene/warnings.h"
 #include "text/file_ledger.h"
+#include "text/file_path.h"
 #include "view/action.h"
 #include "view/document/document.h"
 #include "view/plan/plan_view.h"
@@ -31,10 +32,10 @@ void open_file(State& state, const std::string& path) {
   Result<SceneDocument> document = std::move(*reading);
   if (!document) return complain(state, document.error());
   const std::vector<std::string> warnings = collected(document->warnings);
-  show_another(state, std::move(*document), path);
-  add_recent(state, path);
-  inform(state,
-         warnings.empty() ? fill("notice.opened", state.appearance.language, {{"file", path}}) : warnings.front());
+  show_another(state, std::move(*document), absolute_path(path));
+  add_recent(state, state.document.path);
+  inform_above(
+      state, warnings.empty() ? fill("notice.opened", state.appearance.language, {{"file", path}}) : warnings.front());
 }
 
 void begin_scene(State& state, const std::string& /*path*/) {
@@ -55,13 +56,13 @@ void write_to(State& state, const std::string& path) {
     return;
   }
   state.document.prompt = PathPrompt::none;
-  state.document.path = path;
+  state.document.path = absolute_path(path);
   state.document.saved.reset();
   state.document.saved_ink = state.document.contents.ink_of_file();
   state.document.dirty = false;
   state.document.last_edit.reset();
   forget_autosave(state);
-  add_recent(state, path);
+  add_recent(state, state.document.path);
   inform(state, fill("notice.saved_as", state.appearance.language, {{"file", path}}));
   if (const std::optional<Intent> intent = std::exchange(state.document.after_save, std::nullopt))
     intent->carry_out(state, state.document.after_save_path);
@@ -260,7 +261,7 @@ void action::AnswerQuestion::apply(State& state) const {
     case Question::Kind::recover:
       if (answer == Answer::save) return;
       state.document.question.reset();
-      if (answer == Answer::recover) return recover(state, question.path, question.autosave);
+      if (answer == Answer::recover) return recover(state, question);
       if (answer == Answer::discard) discard_autosave(state, question.autosave);
       return;
     case Question::Kind::overwrite:

@@ -22,6 +22,15 @@ std::string lesson_title(const State& state, const std::string& name) {
   return fmt::format("{} {}", entry - list.begin() + 1, entry->title(state.appearance.language));
 }
 
+/// When an autosave was written, in the language of the window.
+std::string written_at(const State& state, const std::string& when) {
+  // Earlier versions wrote "2026-11-21 at 14:05".
+  constexpr std::size_t date = 10, time = 5;
+  if (when.size() < date + time) return when;
+  return fill("question.written_at", state.appearance.language,
+              {{"date", when.substr(0, date)}, {"time", when.substr(when.size() - time)}});
+}
+
 }  // namespace
 
 QuestionPanel question_panel(const State& state) {
@@ -42,17 +51,19 @@ QuestionPanel question_panel(const State& state) {
       choice(Answer::discard, "answer.discard");
       choice(Answer::cancel, "answer.cancel");
       break;
-    case Question::Kind::recover:
+    case Question::Kind::recover: {
+      const std::string when = written_at(state, question.when);
       panel.text = question.path == state.document.path
-                       ? fill("question.recover", state.appearance.language, {{"file", file}, {"when", question.when}})
+                       ? fill("question.recover", state.appearance.language, {{"file", file}, {"when", when}})
                        : fill("question.recover_other", state.appearance.language,
                               {{"file", question.path.empty() ? said(state, "scene.untitled") : question.path},
-                               {"when", question.when},
+                               {"when", when},
                                {"other", file}});
       choice(Answer::recover, "answer.recover");
       choice(Answer::cancel, "answer.later");
       choice(Answer::discard, "answer.throw_away");
       break;
+    }
     case Question::Kind::overwrite:
       panel.text = fill("question.overwrite", state.appearance.language, {{"file", question.path}});
       choice(Answer::cancel, "answer.cancel");

@@ -4,6 +4,7 @@
 #include "io/scene_file.h"
 #include "math/stop.h"
 #include "render/world_cache.h"
+#include "text/file_hold.h"
 #include "view/drawing/display_list.h"
 #include "view/fields.h"
 #include "view/room.h"
@@ -17,7 +18,7 @@
 
 namespace raywalk {
 
-/// A one-line message, until the next one.
+/// A short message, until the next one.
 struct Notice {
   enum class Kind { info, error };
   Kind kind = Kind::info;
@@ -50,7 +51,8 @@ struct Question {
   Intent intent{};         ///< continues with this after save or discard
   std::string path{};      ///< of the intent, or of the file that the autosave belongs to (may be empty)
   std::string autosave{};  ///< recover: the autosave
-  std::string when{};      ///< recover: when it was written, as text
+  std::shared_ptr<const FileHold> hold{};  ///< recover: of it, so that no other window asks about it too
+  std::string when{};                      ///< recover: when it was written: "2026-11-21T14:05"
 };
 template <>
 inline constexpr Word<Question::Kind> words_of<Question::Kind>[] = {{Question::Kind::unsaved, "unsaved"},
@@ -268,7 +270,7 @@ struct DocumentRoom {
   static Commands commands();
 
   SceneDocument contents;
-  std::string path;                ///< empty: never saved
+  std::string path;                ///< absolute; empty: never saved
   std::optional<Scene> saved;      ///< the scene as the file holds it; absent: as contents.scene
   Ink saved_ink{};                 ///< the ink that the file holds
   bool dirty = false;              ///< contents differ from saved_scene or saved_ink
@@ -284,8 +286,10 @@ struct DocumentRoom {
   std::string state_dir;
   /// This session's autosave: a name in state_dir that no other has; empty until it is written.
   std::string autosave_file = "autosave.toml";
-  double autosave_in = 0;  ///< seconds until the next autosave may be written
+  std::shared_ptr<const FileHold> autosave_hold;  ///< of that file: this session still runs
+  double autosave_in = 0;                         ///< seconds until the next autosave may be written
   std::uint64_t autosaved_revision = 0;
+  std::string autosave_failure;  ///< why the last one was not written, which is said once; empty: it was
 
   std::optional<Question> question;
   PathPrompt prompt = PathPrompt::none;

@@ -54,7 +54,8 @@ void write_progress(State& state) {
   const nlohmann::json json{{"done", state.lessons.done}, {"unlocked", state.lessons.unlocked}};
   std::error_code error;
   std::filesystem::create_directories(state.document.state_dir, error);
-  static_cast<void>(write_file_atomically(progress_path(state), json.dump(2) + "\n"));
+  const std::string text = json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);  // names may be anything
+  static_cast<void>(write_file_atomically(progress_path(state), text + "\n"));
 }
 
 void read_list(State& state) {
@@ -292,8 +293,11 @@ void action::RevealLesson::apply(State& state) const {
 }
 
 void action::SetLessonOptions::apply(State& state) const {
+  // Who changes something else, perhaps before the list was read, does not lock what an earlier sitting has unlocked.
+  const bool changes_locks = unlocked != state.lessons.unlocked;
+  read_list(state);
+  if (changes_locks) state.lessons.unlocked = unlocked;
   state.lessons.presenter = presenter;
-  state.lessons.unlocked = unlocked;
   state.lessons.notes = !without_notes;
   write_progress(state);
 }

@@ -209,7 +209,7 @@ void open_link(State& state, const std::string& address) {
   if (!opened) return refuse_link(state, opened.error());
   set_walk(state, *link);
   set_moment(state, *link);
-  if (!opened->empty()) inform(state, *opened);
+  if (!opened->empty()) inform_above(state, *opened);
 }
 
 void show_link(State& state) {
