@@ -9,7 +9,6 @@ namespace raywalk {
 
 namespace {
 
-constexpr int deepest = 50;                 // as in the settings of the picture
 constexpr double most_entries = 20'000;     // of a scene whose rays are counted: it needs a world for each effect
 constexpr std::size_t most_rays = 100'000;  // of all walks that are recorded to count them
 
@@ -41,6 +40,11 @@ Effects used_effects(const State& state) {
   State all = state;
   all.effects.left_out.reset();
   return effects_of(*walked_scene(all), most_samples(state));
+}
+
+void limit(State& state, int depth) {
+  state.effects.depth.reset();
+  if (depth != state.scene().limits.depth) state.effects.depth = std::clamp(depth, 1, EffectsRoom::deepest);
 }
 
 /// Plan and picture as the switches now say.
@@ -132,10 +136,16 @@ void action::SwitchEffect::apply(State& state) const {
 }
 
 void action::LimitDepth::apply(State& state) const {
-  const int next = std::clamp(depth, 1, deepest), own = state.scene().limits.depth;
   state.effects.shown = true;
-  if (next == state.effects.depth.value_or(own)) return;
-  state.effects.depth = next == own ? std::nullopt : std::optional(next);
+  const std::optional<int> before = state.effects.depth;
+  limit(state, depth);
+  if (state.effects.depth != before) see_again(state);
+}
+
+void EffectsRoom::leave_out(State& state, EffectSet effects, std::optional<int> depth) {
+  state.effects.shown = true;
+  if (!state.walk.bug) state.effects.left_out = effects;
+  limit(state, depth.value_or(state.scene().limits.depth));
   see_again(state);
 }
 
