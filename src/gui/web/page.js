@@ -77,15 +77,20 @@ async function recall() {
     database = await done(opening);
     const store = database.transaction('files', 'readwrite').objectStore('files');
     const [keys, contents] = await Promise.all([done(store.getAllKeys()), done(store.getAll())]);
-    let number = 0;
+    const adopted = [];
     keys.forEach((key, i) => {
-      const [kind, owner, name] = key.split('/');
+      const [kind, owner] = key.split('/');
       if (kind === 'shared') return files.set(owner, contents[i]);
       if (living.has('raywalk/' + owner)) return;
-      const own = number++ === 0 ? 'autosave.toml' : `autosave-${number}.toml`;
-      files.set(own, contents[i]);
+      adopted.push(contents[i]);
       store.delete(key);
-      store.put(contents[i], key_of(own));
+    });
+    // The latest is the first by name, and written last: it is the one that the program offers.
+    const written = (bytes) => /# written on: .*|$/.exec(new TextDecoder().decode(bytes.subarray(0, 9999)))[0];
+    adopted.sort((a, b) => written(a).localeCompare(written(b))).forEach((bytes, i) => {
+      const number = adopted.length - i, own = number === 1 ? 'autosave.toml' : `autosave-${number}.toml`;
+      files.set(own, bytes);
+      store.put(bytes, key_of(own));
     });
   } catch (why) {
     console.warn('nothing is kept between visits:', why);
