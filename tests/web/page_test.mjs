@@ -192,6 +192,23 @@ test('of two tabs that are gone both edits are kept, and the later one is offere
   await visit.page.close();
 });
 
+test('an address makes the page report into a file of its own, and into no other', async () => {
+  for (const path of ['/kept/settings.json', '/files/report.json', '/report.txt', '/../kept/x.json', 'report.json']) {
+    const page = await browser.newPage();
+    await page.goto(`${server.address}?report=${encodeURIComponent(path)}`);
+    await page.waitForFunction(() => document.getElementById('says').hidden && window.raywalk, { timeout: 120000 });
+    await page.keyboard.press(' ');
+    await new Promise((again) => setTimeout(again, 500));
+    const wrote = await page.evaluate((path) => {
+      const { FS } = window.raywalk;
+      const text = FS.analyzePath(path).exists ? FS.readFile(path, { encoding: 'utf8' }) : '';
+      return text.includes('"position"');
+    }, path);
+    assert.ok(!wrote, path);
+    await page.close();
+  }
+});
+
 test('a file that is chosen is opened, and one that is saved is downloaded', async () => {
   const visit = await Visit.begin(browser, server.address);
   if (!is_firefox) {

@@ -418,7 +418,10 @@ async function start() {
   if (!document.createElement('canvas').getContext('webgl2')) return say('no_webgl');
   if (!WebAssembly.validate(with_simd)) return say('no_simd');
   const [files, code] = await Promise.all([recall(), compiled()]);
-  const options = ['scene', 'language', 'report'].flatMap((name) => asked.has(name) ? [name, asked.get(name)] : []);
+  const options = ['scene', 'language'].flatMap((name) => asked.has(name) ? [name, asked.get(name)] : []);
+  // Beside the folders, not in them: what stands there is kept, or downloaded.
+  const report = asked.get('report');
+  if (/^\/\w+\.json$/.test(report)) options.push('report', report);
   if (own_link()) options.push('link', own_link());
   if (embedding) options.push('embed', 'yes');
   if (location.protocol !== 'file:') options.push('page', location.origin + location.pathname);
