@@ -10,7 +10,8 @@
 
 namespace raywalk {
 
-/// The effects that a scene may or may not call for. The tracer simulates only those that are used.
+/// The effects that a scene may or may not call for. The tracer simulates only those that are used. New ones come last:
+/// links name them by their order (view/link/link.h).
 enum class Effect {
   shadows,
   reflection,

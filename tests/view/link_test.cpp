@@ -58,6 +58,8 @@ void check_it_arrives(const State& state) {
   CHECK(other.walk.position == state.walk.position);
   CHECK(other.walk.timeline->steps() == state.walk.timeline->steps());
   CHECK(other.walk.pixel == state.walk.pixel);
+  CHECK(other.effects.left_out == state.effects.left_out);
+  CHECK(other.effects.depth == state.effects.depth);
   CHECK(other.walk.mode == state.walk.mode);
   CHECK(other.appearance.tab == state.appearance.tab);
   CHECK(other.appearance.language == state.appearance.language);
@@ -129,6 +131,53 @@ TEST_CASE("a link has the mode, the tab, the language, the theme, the walked pix
   State other = elsewhere();
   update(other, action::OpenLink{letters_of(state)});
   CHECK(other.picture.settings == settings);
+}
+
+TEST_CASE("a link has what the effects bar leaves out and its depth, and nothing of a bar that leaves all as it is") {
+  State state = opened(std::string(RAYWALK_SOURCE_DIR) + "/scenes/classic.toml");
+  const int own = state.scene().limits.depth, steps = state.walk.timeline->steps();
+  update(state, action::ShowEffects{true});
+  CHECK(letters_of(state).find("effects") == std::string::npos);
+  update(state, action::SwitchEffect{Effect::reflection, false});
+  REQUIRE(state.walk.timeline->steps() < steps);
+  update(state, action::Jump{20});
+  CHECK(letters_of(state).find("/effects=2/") != std::string::npos);
+  check_it_arrives(state);
+  update(state, action::LimitDepth{own - 1});
+  check_it_arrives(state);
+  update(state, action::SwitchEffect{Effect::reflection, true});
+  CHECK(letters_of(state).find("/effects=0," + std::to_string(own - 1) + "/") != std::string::npos);
+  check_it_arrives(state);
+  update(state, action::LimitDepth{own});
+  CHECK(letters_of(state).find("effects") == std::string::npos);
+
+  // Those that the scene is seen without too, and of a lesson.
+  State distributed = opened(std::string(RAYWALK_SOURCE_DIR) + "/scenes/distributed.toml");
+  for (const Effect effect : {Effect::gloss, Effect::penumbra, Effect::shadows})
+    update(distributed, action::SwitchEffect{effect, false});
+  REQUIRE(distributed.effects.left_out.any());
+  check_it_arrives(distributed);
+  State lesson = state_with_lessons();
+  update(lesson, action::OpenLesson{"04-reflection"});
+  update(lesson, action::SwitchEffect{Effect::reflection, false});
+  update(lesson, action::Jump{20});
+  check_it_arrives(lesson);
+
+  // It shows what is left out, and another link brings it back.
+  State other = elsewhere();
+  update(other, action::OpenLink{letters_of(lesson)});
+  CHECK(other.effects.shown);
+  update(other, action::OpenLink{"#v=1/scene=classic/step=20"});
+  CHECK_FALSE(other.effects.leaves_out());
+  // All that anybody may write, of any scene, and of a bug, whose tracer leaves nothing out.
+  for (const char* begun : {"#v=1/scene=classic", "#v=1/scene=beams", "#v=1/scene=everything", "#v=1/bug=2"}) {
+    INFO(begun);
+    State asked = elsewhere();
+    update(asked, action::OpenLink{std::string(begun) + "/effects=ffff,50/step=9"});
+    CHECK(asked.walk.position == 9);
+    CHECK(asked.effects.left_out.any() != asked.bugs.hunt.has_value());
+    CHECK(broken_promise(asked) == "");
+  }
 }
 
 TEST_CASE("a link that tells no scene shows the one that is open as it says") {
@@ -300,6 +349,15 @@ TEST_CASE("what is no link is refused with a sentence, and changes nothing") {
            begun + "/changes=!!!",
            begun + "/changes=abc",
            begun + "/samples=0",
+           begun + "/effects=",
+           begun + "/effects=10000",
+           begun + "/effects=-1",
+           begun + "/effects=g",
+           begun + "/effects=2,",
+           begun + "/effects=2,0",
+           begun + "/effects=2,51",
+           begun + "/effects=2,3,4",
+           begun + "/effects=99999999999999999999",
            begun + "/bug=0",
            begun + "/bug=99",
            begun + "/sum=xyz",
@@ -441,6 +499,12 @@ TEST_CASE("samples of links", "[.]") {
   update(state, action::Orbit{SpaceView::image, {0.4, 0.1}});
   update(state, action::WalkPixel{100, 250, {441, 331}});
   sample(state);
+  State plainer = opened(std::string(RAYWALK_SOURCE_DIR) + "/scenes/classic.toml");
+  update(plainer, action::SwitchEffect{Effect::reflection, false});
+  update(plainer, action::Jump{20});
+  sample(plainer);
+  update(plainer, action::LimitDepth{2});
+  sample(plainer);
   State lesson = state_with_lessons();
   update(lesson, action::OpenLesson{"05-refraction"});
   update(lesson, action::GoToLessonStep{2});

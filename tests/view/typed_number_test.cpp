@@ -33,6 +33,17 @@ TEST_CASE("a number may be typed as people type numbers") {
   }
 }
 
+TEST_CASE("a typed number of many quotients has few meanings, and one that is too long none") {
+  std::string quotients = "1,111";
+  while (quotients.size() + 6 <= 64) quotients += "/1,111";
+  CHECK(typed_numbers(quotients).size() == std::size_t{1} << (quotients.size() / 6 + 1));
+  CHECK(typed_numbers(quotients + "/1,111").empty());
+  for (int i = 0; i < 100; ++i) quotients += "/1,111";
+  CHECK(typed_numbers(quotients).empty());
+  CHECK(typed_numbers(std::string(62, ' ') + "20").size() == 1);
+  CHECK(typed_numbers(std::string(63, ' ') + "20").empty());
+}
+
 TEST_CASE("what a typed number means is what is nearer the truth") {
   State state = test::state_with_lessons();
   update(state, action::OpenLesson{"08-strip-to-picture"});

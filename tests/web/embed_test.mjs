@@ -65,6 +65,27 @@ for (const [name, sandbox] of [['in a sandbox without an origin', 'allow-scripts
     await visit.page.close();
   });
 
+test('a scene that is sent leaves the open one\'s file as it is, and nothing more is taken during a question', async () => {
+  const visit = await Course.begin('embed&language=en#v=1/scene=glass/step=12', 'allow-scripts');
+  await visit.hears('ready');
+  const frame = await (await visit.page.$('#frame')).contentFrame();
+  const scene = (title) => `title = "${title}"\n[camera]\neye = [-5, 0, 0]\nlook_at = [0, 0, 0]\nfov = 40\n`;
+  await visit.tell({ raywalk: 1, do: 'load', scene: scene('First') });
+  await visit.hears('moved', (each) => each.scene === 'First');
+  const act = (line) => frame.evaluate((line) => window.raywalk.ccall('page_act', null, ['string'], [line]), line);
+  await act('add solid-sphere');
+  await visit.tell({ raywalk: 1, do: 'load', scene: scene('Second') });
+  await visit.tell({ raywalk: 1, do: 'load', scene: scene('Third') });
+  assert.match((await visit.hears('refused')).why, /question/);
+  const files = await frame.evaluate(() => ['/files/embedded-1.toml', '/files/embedded-2.toml']
+    .map((path) => window.raywalk.FS.readFile(path, { encoding: 'utf8' })));
+  assert.deepEqual(files, [scene('First'), scene('Second')]);
+  await act('answer discard');
+  await visit.tell({ raywalk: 1, do: 'tell' });
+  await visit.hears('moved', (each) => each.scene === 'Second');
+  await visit.page.close();
+});
+
 test('what a lesson asks and how it ends is told', async () => {
   const visit = await Course.begin('embed&language=en#v=1/lesson=01-ray-casting/at=1', 'allow-scripts');
   const ready = await visit.hears('ready');
@@ -87,6 +108,7 @@ test('messages that are none are refused with a sentence, and those of others ar
   const visit = await Course.begin('embed&language=en#v=1/scene=glass/step=12', 'allow-scripts');
   await visit.hears('ready');
   for (const message of [{ raywalk: 2, do: 'go', step: 1 }, { raywalk: 1 }, { raywalk: 1, do: 'go', step: -1 }, { raywalk: 1, do: 'go', step: '7' },
+    { raywalk: 1, do: 'go', step: 1e9 + 1 }, { raywalk: 1, do: 'go', step: 2 ** 31 },
     { raywalk: 1, do: 'load' }, { raywalk: 1, do: 'load', link: 'javascript:alert(1)' }, { raywalk: 1, do: 'load', link: { a: 1 } },
     { raywalk: 1, do: 'load', scene: 'x'.repeat(1 << 21) }]) {
     await visit.page.evaluate(() => { window.heard = []; });

@@ -161,6 +161,54 @@ test('an edit survives a reload, and belongs to its tab while that lives', async
   await visit.page.close();
 });
 
+test('of two tabs that are gone both edits are kept, and the later one is offered', async () => {
+  const visit = await Visit.begin(browser, server.address, {}, '&language=en');
+  const own = await visit.page.evaluate(() => sessionStorage.getItem('raywalk'));
+  // As tabs left them: one under a key before this tab's own by order, one under it.
+  await visit.page.evaluate(async (keys) => {
+    const opening = indexedDB.open('raywalk', 1);
+    const done = (request) => new Promise((resolve) => { request.onsuccess = () => resolve(request.result); });
+    const store = (await done(opening)).transaction('files', 'readwrite').objectStore('files');
+    const text = (minute) => `# autosave of: /files/${minute}.toml\n# written on: 2026-11-21 at 14:0${minute}\n` +
+      `title = "At ${minute}"\n[camera]\neye = [-5, 0, 0]\nlook_at = [0, 0, 0]\nfov = 40\n`;
+    await Promise.all(keys.map((key, minute) => done(store.put(new TextEncoder().encode(text(minute)), key))));
+  }, ['own/!/autosave.toml', `own/${own}/autosave.toml`, 'own/~/autosave.toml', 'own/!/autosave-2.toml']);
+  await visit.page.reload();
+  await visit.page.waitForFunction(() => document.getElementById('says').hidden);
+  await visit.until((now) => now.question === 'recover');
+  const kept = await visit.page.evaluate(async (own) => {
+    const done = (request) => new Promise((resolve) => { request.onsuccess = () => resolve(request.result); });
+    const store = (await done(indexedDB.open('raywalk', 1))).transaction('files').objectStore('files');
+    const [keys, contents] = await Promise.all([done(store.getAllKeys()), done(store.getAll())]);
+    const files = keys.map((key, i) => [key.replace(own, 'ME'), /"(.*)"/.exec(new TextDecoder().decode(contents[i]))?.[1]]);
+    return Object.fromEntries(files.filter(([key]) => key.startsWith('own/')));
+  }, own);
+  assert.deepEqual(kept, { 'own/ME/autosave.toml': 'At 3', 'own/ME/autosave-2.toml': 'At 2',
+    'own/ME/autosave-3.toml': 'At 1', 'own/ME/autosave-4.toml': 'At 0' });
+  await visit.page.keyboard.press('Enter');
+  await visit.until((now) => now.question === '' && now.dirty);
+  const told = await visit.page.evaluate(() => JSON.parse(window.raywalk.ccall('page_told', 'string')));
+  assert.equal(told.moment.scene, 'At 3');
+  await visit.page.close();
+});
+
+test('an address makes the page report into a file of its own, and into no other', async () => {
+  for (const path of ['/kept/settings.json', '/files/report.json', '/report.txt', '/../kept/x.json', 'report.json']) {
+    const page = await browser.newPage();
+    await page.goto(`${server.address}?report=${encodeURIComponent(path)}`);
+    await page.waitForFunction(() => document.getElementById('says').hidden && window.raywalk, { timeout: 120000 });
+    await page.keyboard.press(' ');
+    await new Promise((again) => setTimeout(again, 500));
+    const wrote = await page.evaluate((path) => {
+      const { FS } = window.raywalk;
+      const text = FS.analyzePath(path).exists ? FS.readFile(path, { encoding: 'utf8' }) : '';
+      return text.includes('"position"');
+    }, path);
+    assert.ok(!wrote, path);
+    await page.close();
+  }
+});
+
 test('a file that is chosen is opened, and one that is saved is downloaded', async () => {
   const visit = await Visit.begin(browser, server.address);
   if (!is_firefox) {

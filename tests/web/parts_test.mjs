@@ -12,13 +12,14 @@ const run = (name, globals, what = '') => {
 const settled = () => new Promise((again) => setImmediate(again));
 
 test('a page around this one is told of errors of what it has sent, and of no other', async () => {
-  const told = [], parent = { postMessage: (message) => told.push(message) };
+  const told = [], went = [], parent = { postMessage: (message) => told.push(message) };
   let question = false, hear;
   const window = { parent, addEventListener: (_, call) => { hear = call; } };
   const page = run('embed.js', { window, sent: {
     load_link: () => {},
-    load_scene: (text) => text === 'bad' ? 'this is no scene' : Promise.resolve(),
-    go: () => {},
+    load_scene: (text) => text === 'bad' ? 'this is no scene' : undefined,
+    go: (step) => went.push(step),
+    asks: () => question,
   } }, 'new Embedding(null, sent)');
   const moment = { step: 0, lesson: '', lesson_step: 0, lesson_steps: 0 };
   const look = (error = '') => page.look({ moment, judged: 0, right: 0, made: 0, done: {}, asks: question, error });
@@ -36,7 +37,6 @@ test('a page around this one is told of errors of what it has sent, and of no ot
   assert.deepEqual(refused(), ['this is no scene']);
 
   say({ do: 'load', link: '#v=1/scene=glass' });
-  await settled();
   look('there is no such lesson');
   assert.deepEqual(refused(), ['there is no such lesson']);
   look();
@@ -45,12 +45,24 @@ test('a page around this one is told of errors of what it has sent, and of no ot
 
   say({ do: 'load', scene: 'good' });
   question = true; // the student has changed the scene, and decides later
-  await settled();
   look();
   look();
+  // Meanwhile the program hears of nothing else, and the page around is told so.
+  const load = { do: 'load' };
+  for (const message of [{ ...load, scene: 'good' }, { ...load, link: '#v=1/scene=glass' }, { do: 'go', step: 3 }]) {
+    say(message);
+    assert.match(refused().join(), /question/, JSON.stringify(message));
+  }
+  say({ do: 'tell' });
+  assert.deepEqual(refused(), []);
   question = false;
   look('it cannot be opened');
   assert.deepEqual(refused(), ['it cannot be opened']);
+
+  for (const step of [0, 1e9]) say({ do: 'go', step });
+  assert.deepEqual([went, refused()], [[0, 1e9], []]);
+  say({ do: 'go', step: 1e9 + 1 });
+  assert.match(refused().join(), /whole number/);
 });
 
 class Store {

@@ -7,9 +7,9 @@ class Embedding {
   static most_scene = 1 << 20;
 
   // `asked`: what stands behind ?embed=, the origin of the page around or nothing. `load_link`, `load_scene` and `go` do
-  // what is asked for; `load_scene` returns why not, if it does not, else what is kept once it has.
-  constructor(asked, { load_link, load_scene, go }) {
-    Object.assign(this, { load_link, load_scene, go, before: null, loading: true, loaded: true }); // its own link first
+  // what is asked for; `load_scene` returns why not, if it does not. `asks`: whether the program waits for an answer.
+  constructor(asked, { load_link, load_scene, go, asks }) {
+    Object.assign(this, { load_link, load_scene, go, asks, before: null, loading: true }); // its own link first
     this.origin = asked ? Embedding.origin_of(asked) : null;
     window.addEventListener('message', (event) => this.hear(event));
   }
@@ -37,15 +37,18 @@ class Embedding {
     const text = (value, most) => typeof value === 'string' && value.length > 0 && value.length <= most;
     if (!this.before) return 'the page is not ready yet: wait for its message "ready"';
     if (message.raywalk !== Embedding.version) return `raywalk must be ${Embedding.version}, the version of these messages`;
+    // It hears of nothing else until then.
+    if (message.do !== 'tell' && this.asks()) return 'a question is open: it has to be answered first';
     switch (message.do) {
       case 'load':
         if (text(message.link, Embedding.most_link) && message.link.includes('#v='))
-          return this.await_load(() => this.load_link(message.link));
-        if (text(message.scene, Embedding.most_scene)) return this.await_load(() => this.load_scene(message.scene));
+          return this.begin_load(this.load_link(message.link));
+        if (text(message.scene, Embedding.most_scene)) return this.begin_load(this.load_scene(message.scene));
         return 'load needs a link, "#v=1/...", or a scene, the text of a .toml';
       case 'go':
-        if (Number.isInteger(message.step) && message.step >= 0 && message.step < 2 ** 31) return void this.go(message.step);
-        return 'go needs a step, a whole number from 0 on';
+        if (Number.isInteger(message.step) && message.step >= 0 && message.step <= 1e9)
+          return void this.go(message.step);
+        return 'go needs a step, a whole number from 0 to 1e9';
       case 'tell':
         return void this.tell('moved', this.before.moment);
       default:
@@ -53,14 +56,10 @@ class Embedding {
     }
   }
 
-  // Until it is loaded, and the student has answered what the program may ask first, its errors are of this load.
-  await_load(begin) {
-    const begun = begin();
-    if (typeof begun === 'string' && begun) return begun;
-    this.loading = true;
-    this.loaded = false;
-    Promise.resolve(begun).then(() => { this.loaded = true; });
-    return undefined;
+  // Until the next turn, and until what the program may ask first is answered, its errors are of this load.
+  begin_load(why) {
+    this.loading ||= !why;
+    return why;
   }
 
   // After a turn, with what the program says of itself (page_told of main.cpp).
@@ -77,6 +76,6 @@ class Embedding {
       this.tell('finished', { lesson, right: now.right, judged: now.judged });
     // Others are about the student's own files, which are nobody else's business.
     if (this.loading && now.error && now.error !== before.error) this.tell('refused', { why: now.error });
-    if (this.loaded && !now.asks) this.loading = this.loaded = false;
+    this.loading &&= now.asks;
   }
 }

@@ -107,10 +107,14 @@ EMSCRIPTEN_KEEPALIVE double page_turn() {
 /// read here, and what is wrong with them told there.
 EMSCRIPTEN_KEEPALIVE const char* page_refuses(const char* scene) {
   static std::string why;
-  const auto document = parse_scene(scene, "the scene", MeshReading::skip);
-  why = !document                      ? document.error().text()
-        : names_files(document->scene) ? "the scene names files, which a message cannot bring"
-                                       : "";
+  try {
+    const auto document = parse_scene(scene, "the scene", MeshReading::skip);
+    why = !document                      ? document.error().text()
+          : names_files(document->scene) ? "the scene names files, which a message cannot bring"
+                                         : "";
+  } catch (const std::exception& error) {  // the page goes on with the scene that it has
+    why = error.what();
+  }
   return why.c_str();
 }
 
@@ -134,6 +138,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_told() {
       {"last_right", predicted && state.predictions.made.back().right},
       {"done", lessons.done},
       {"asks", state.document.question.has_value()},
+      {"waits", state.document.question || state.document.prompt != PathPrompt::none},
       {"error",
        state.document.notice && state.document.notice->kind == Notice::Kind::error ? state.document.notice->text : ""}};
   told = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);

@@ -16,14 +16,16 @@ const here = dirname(fileURLToPath(import.meta.url));
 const texts = join(here, '../../text');
 const tool = createRequire(join(build, '../emscripten/root/usr/share/emscripten/tools/'));
 const acorn = tool('acorn'), terser = tool('../third_party/terser/terser.js');
-// Scripts without what is said to their readers, and with short names for what only they see.
+// A script without what is said to its readers, and with short names for what only it sees.
+const shortened = (text, toplevel = false) => {
+  const script = terser.AST_Node.from_mozilla_ast(acorn.parse(text, { ecmaVersion: 2022 }));
+  script.figure_out_scope({ toplevel });
+  script.mangle_names({ toplevel });
+  return script.print_to_string({ shorthand: true });
+};
 const read = (folder, name) => {
   const text = readFileSync(join(folder, name), 'utf8');
-  if (!name.endsWith('.js')) return text;
-  const script = terser.AST_Node.from_mozilla_ast(acorn.parse(text, { ecmaVersion: 2022 }));
-  script.figure_out_scope({});
-  script.mangle_names({});
-  return script.print_to_string({ shorthand: true });
+  return name.endsWith('.js') ? shortened(text) : text;
 };
 
 // The compiler may come to use an instruction that one of the two does not know.
@@ -40,8 +42,10 @@ function unpacks(unpacker) {
     throw new Error('the page does not unpack its code as it was');
 }
 
-// What the page runs, in this order, behind the program.
-const scripts = ['embed.js', 'offline.js', 'workers.js', 'mirror.js', 'touch.js', 'unpack.js', 'page.js'];
+// What the page runs, in this order, behind the program. The service worker needs the first as well; page.js of the site
+// is joined from several, which pack better as one.
+const scripts = ['unpack.js', 'page.js'];
+const joined = ['embed.js', 'offline.js', 'workers.js', 'mirror.js', 'touch.js', 'page.js'];
 
 // What is said before the program is there: the table [page] of each language.
 function page_words(toml) {
@@ -74,7 +78,9 @@ packed.writeBigUInt64LE(BigInt(sorted.length), 5);
 unpacks(readFileSync(join(build, 'unpack.wasm')));
 const letters = packed.toString('base64');
 const unpacker = readFileSync(join(build, 'unpack.wasm'), 'base64');
-const script = (name) => name === 'raywalk.js' ? read(build, name) :
+const source = (name) => readFileSync(join(here, name), 'utf8').replace(/^'use strict';$/m, '');
+const whole_page = () => shortened(["'use strict';", ...joined.map(source)].join('\n'), true);
+const script = (name) => name === 'raywalk.js' ? read(build, name) : name === 'page.js' ? whole_page() :
   read(here, name).replace('"UNPACKER"', () => JSON.stringify(unpacker));
 
 rmSync(site, { recursive: true, force: true });

@@ -77,15 +77,20 @@ async function recall() {
     database = await done(opening);
     const store = database.transaction('files', 'readwrite').objectStore('files');
     const [keys, contents] = await Promise.all([done(store.getAllKeys()), done(store.getAll())]);
-    let number = 0;
+    const adopted = [];
     keys.forEach((key, i) => {
-      const [kind, owner, name] = key.split('/');
+      const [kind, owner] = key.split('/');
       if (kind === 'shared') return files.set(owner, contents[i]);
       if (living.has('raywalk/' + owner)) return;
-      const own = number++ === 0 ? 'autosave.toml' : `autosave-${number}.toml`;
-      files.set(own, contents[i]);
+      adopted.push(contents[i]);
       store.delete(key);
-      store.put(contents[i], key_of(own));
+    });
+    // The latest is the first by name, and written last: it is the one that the program offers.
+    const written = (bytes) => /# written on: .*|$/.exec(new TextDecoder().decode(bytes.subarray(0, 9999)))[0];
+    adopted.sort((a, b) => written(a).localeCompare(written(b))).forEach((bytes, i) => {
+      const number = adopted.length - i, own = number === 1 ? 'autosave.toml' : `autosave-${number}.toml`;
+      files.set(own, bytes);
+      store.put(bytes, key_of(own));
     });
   } catch (why) {
     console.warn('nothing is kept between visits:', why);
@@ -146,6 +151,18 @@ function all_files(folder = '/files') {
 // What cannot be read any more, since it was chosen or dropped, is not there: the program says so where it asks for it.
 const unreadable = (why) => { console.warn(why); return null; };
 
+function put_taken(path, content) {
+  program.FS.writeFile(path, content);
+  taken.set(path, stamp_of(path));
+}
+
+// Opens the first scene among these.
+function open_of(paths) {
+  ++files_changed;
+  if (paths.length > 0) call('page_open', paths.join('\n'));
+  soon();
+}
+
 async function take(files) {
   const paths = [];
   for (const { name, file } of files) {
@@ -154,16 +171,13 @@ async function take(files) {
     const bytes = await file?.arrayBuffer().catch(unreadable);
     if (bytes) {
       program.FS.mkdirTree(path.slice(0, path.lastIndexOf('/')));
-      program.FS.writeFile(path, new Uint8Array(bytes));
-      taken.set(path, stamp_of(path));
+      put_taken(path, new Uint8Array(bytes));
     } else if (taken.delete(path)) {
       program.FS.unlink(path);
     }
     paths.push(path);
   }
-  ++files_changed;
-  if (paths.length > 0) program.ccall('page_open', null, ['string'], [paths.join('\n')]);
-  soon();
+  open_of(paths);
 }
 
 function download() {
@@ -218,7 +232,7 @@ function turn() {
     const wait = program._page_turn();
     if (looked === 0) performance.mark('ready');
     mirror.refresh();
-    embedding?.look(JSON.parse(program.ccall('page_told', 'string')));
+    embedding?.look(told());
     if (wait === 0) soon();
     if (wait > 0) timer = setTimeout(soon, 1000 * wait);
     if (wait === 0 && performance.now() - looked < look_every) return;
@@ -245,6 +259,7 @@ canvas.addEventListener('pointerdown', (event) => {
 // --- For everyone: touch, the window in words, and motion --------------------------------------------------------------
 
 const call = (name, ...texts) => program.ccall(name, 'string', texts.map(() => 'string'), texts);
+const told = () => JSON.parse(call('page_told'));
 
 // The page's first button, and all but the drawing that it shows.
 const header = document.createElement('header'), main = document.createElement('main');
@@ -362,26 +377,37 @@ window.addEventListener('paste', (event) => {
 
 const own_link = () => location.hash.startsWith('#v=') ? location.hash : '';
 
-function act(line) {
-  if (!running) return;
+function attempt(work) {
   try {
-    call('page_act', line);
-    soon();
+    return running ? work() : '';
   } catch (why) {
-    fail(why);
+    return fail(why);
   }
 }
+
+function act(line) {
+  attempt(() => {
+    call('page_act', line);
+    soon();
+  });
+}
+
+let sent = 0; // scenes: each is a file of its own, for the one that is open may be kept
 
 // A link that is typed or pasted over the address of this page.
 window.addEventListener('hashchange', () => own_link() && act('open-link ' + own_link()));
 
 const embedding = asked.has('embed') ? new Embedding(asked.get('embed'), {
   load_link: (link) => act('open-link ' + link.slice(link.indexOf('#')).replace(/[\n\r]/g, '')),
-  load_scene: (text) => {
-    const why = program.ccall('page_refuses', 'string', ['string'], [text]);
-    return why || take([{ name: 'embedded.toml', file: new Blob([text]) }]).catch(fail);
-  },
+  load_scene: (text) => attempt(() => {
+    const why = call('page_refuses', text);
+    if (why) return why;
+    const path = `/files/embedded-${++sent}.toml`;
+    put_taken(path, text);
+    return open_of([path]);
+  }),
   go: (step) => act('jump ' + step),
+  asks: () => attempt(() => told().waits),
 }) : null;
 
 // --- Start -----------------------------------------------------------------------------------------------------------
@@ -413,7 +439,10 @@ async function start() {
   if (!document.createElement('canvas').getContext('webgl2')) return say('no_webgl');
   if (!WebAssembly.validate(with_simd)) return say('no_simd');
   const [files, code] = await Promise.all([recall(), compiled()]);
-  const options = ['scene', 'language', 'report'].flatMap((name) => asked.has(name) ? [name, asked.get(name)] : []);
+  const options = ['scene', 'language'].flatMap((name) => asked.has(name) ? [name, asked.get(name)] : []);
+  // Beside the folders, not in them: what stands there is kept, or downloaded.
+  const report = asked.get('report');
+  if (/^\/\w+\.json$/.test(report)) options.push('report', report);
   if (own_link()) options.push('link', own_link());
   if (embedding) options.push('embed', 'yes');
   if (location.protocol !== 'file:') options.push('page', location.origin + location.pathname);

@@ -10,7 +10,6 @@ namespace raywalk {
 
 namespace {
 
-constexpr int deepest = 50;                 // as in the settings of the picture
 constexpr double most_entries = 20'000;     // of a scene whose rays are counted: it needs a world for each effect
 constexpr std::size_t most_rays = 100'000;  // of all walks that are recorded to count them
 
@@ -43,6 +42,11 @@ auto with(State& tried, EffectSet left_out, const Ask& ask) {
 /// What the scene calls for as it is walked, with nothing left out.
 Effects used_effects(State& tried) {
   return with(tried, {}, [](const State& all) { return effects_of(*walked_scene(all), most_samples(all)); });
+}
+
+void limit(State& state, int depth) {
+  state.effects.depth.reset();
+  if (depth != state.scene().limits.depth) state.effects.depth = std::clamp(depth, 1, EffectsRoom::deepest);
 }
 
 /// Plan and picture as the switches now say.
@@ -138,10 +142,16 @@ void action::SwitchEffect::apply(State& state) const {
 }
 
 void action::LimitDepth::apply(State& state) const {
-  const int next = std::clamp(depth, 1, deepest), own = state.scene().limits.depth;
   state.effects.shown = true;
-  if (next == state.effects.depth.value_or(own)) return;
-  state.effects.depth = next == own ? std::nullopt : std::optional(next);
+  const std::optional<int> before = state.effects.depth;
+  limit(state, depth);
+  if (state.effects.depth != before) see_again(state);
+}
+
+void EffectsRoom::leave_out(State& state, EffectSet effects, std::optional<int> depth) {
+  state.effects.shown = true;
+  if (!state.walk.bug) state.effects.left_out = effects;
+  limit(state, depth.value_or(state.scene().limits.depth));
   see_again(state);
 }
 

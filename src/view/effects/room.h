@@ -67,6 +67,9 @@ struct EffectsRoom {
   static Commands commands();
   static void follow(State& state, const Before& before);
   static void close(State& state);
+  static constexpr int deepest = 50;  ///< that it limits to; as in the settings of the picture
+  /// As a link says. A faulty tracer has all effects; `depth` is clamped, and absent the scene's own.
+  static void leave_out(State& state, EffectSet effects, std::optional<int> depth);
 
   bool shown = false;
   EffectSet left_out;

@@ -13,6 +13,9 @@ namespace raywalk {
 
 namespace {
 
+/// Bytes. Each quotient may double how many numbers are meant.
+constexpr std::size_t longest_typed = 64;
+
 bool is_figure(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
 /// Normalizes typographic characters: non-breaking spaces, the minus sign.
@@ -69,14 +72,16 @@ std::string ungrouped(std::string_view digits) {
 }  // namespace
 
 std::vector<double> typed_numbers(std::string_view typed, std::string_view unit) {
+  if (typed.size() > longest_typed) return {};
   const std::string text = with_plain_signs(typed);
   std::string_view rest = without_spaces(text);
   for (const std::string_view end : {unit, unit.empty() ? std::string_view("x") : std::string_view()})
     if (!end.empty() && rest.ends_with(end)) rest = without_spaces(rest.substr(0, rest.size() - end.size()));
   if (const std::size_t stroke = rest.find('/'); stroke != std::string_view::npos) {
     std::vector<double> quotients;
+    const std::vector<double> divisors = typed_numbers(rest.substr(stroke + 1));
     for (const double above : typed_numbers(rest.substr(0, stroke)))
-      for (const double below : typed_numbers(rest.substr(stroke + 1)))
+      for (const double below : divisors)
         if (below != 0) quotients.push_back(above / below);
     return quotients;
   }

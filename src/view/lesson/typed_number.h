@@ -10,7 +10,8 @@ namespace raywalk {
 struct LessonRoom;
 
 /// Possible values of the text: with surrounding spaces, a comma or a point before the decimals, groups of three
-/// digits, a fraction, a power of ten, the question's unit. "1,234" has two values; other text none.
+/// digits, a fraction, a power of ten, the question's unit. "1,234" has two values; other text none, nor one of
+/// more than 64 bytes.
 [[nodiscard]] std::vector<double> typed_numbers(std::string_view typed, std::string_view unit = {});
 
 /// The answer to the open step's question; of several values, the one nearest to the truth: notation never makes an

@@ -1,7 +1,10 @@
 #pragma once
 // What a link holds, as values and as letters. It stands in the fragment of an address, which browsers send to nobody:
 //
-//     https://example.org/raywalk/#v=1/scene=glass/changes=q1bKS.../sum=1a2b3c4d/step=42/mode=trace/tab=tree
+//     https://example.org/raywalk/#v=1/scene=glass/changes=q1bKS.../sum=1a2b3c4d/effects=6,3/step=42/mode=trace
+//
+// `effects` says what the effects bar changes: in hexadecimal the effects that it leaves out, a bit each in the order
+// of scene/effects.h, and behind a comma the depth, if it limits that. Here: no reflection, no refraction, depth 3.
 //
 // A / stands between the parts, for a shell needs no quotes around it. Parts that a version does not know it skips. v
 // is raised when a link of the old form would be misread; all earlier forms stay readable (tests/view/links).
@@ -37,6 +40,8 @@ struct Link {
   std::optional<Integrator> integrator{};  ///< absent: the scene's own
   bool single_precision = false;
   int walk_samples = 1;
+  EffectSet left_out{};        ///< by the effects bar
+  std::optional<int> depth{};  ///< that it limits to; absent: the scene's own
 
   // The moment, and what is beside it. Absent: as it is.
   std::optional<int> step{};

@@ -132,6 +132,7 @@ void set_walk(State& state, const Link& link) {
   settings.single_precision = link.single_precision;
   settings.walk_samples = link.walk_samples;
   action::SetImageSettings{settings}.apply(state);
+  if (link.left_out.any() || link.depth) EffectsRoom::leave_out(state, link.left_out, link.depth);
   if (!link.camera.empty())
     if (const auto seen = patched_scene(state.document.contents, link.camera)) {
       state.picture.camera = seen->scene.camera;
@@ -263,6 +264,8 @@ Result<Link> link_of(const State& state) {
   link->integrator = settings.integrator;
   link->single_precision = settings.single_precision;
   link->walk_samples = settings.walk_samples;
+  link->left_out = state.effects.left_out;
+  if (state.effects.depth != state.scene().limits.depth) link->depth = state.effects.depth;
   link->step = state.walk.position;
   link->mode = state.walk.mode == Mode::help ? state.walk.before_help : state.walk.mode;
   link->tab = state.appearance.tab;

@@ -93,6 +93,7 @@ class LinkReader {
       return value == "24" || value == "53";
     }
     if (key == "samples") return parse_number(value, link_.walk_samples, 1, max_walk_samples);
+    if (key == "effects") return effects(value);
     if (key == "step") return parse_number(value, link_.step.emplace(), 0, max_steps);
     if (key == "mode") return word(value, link_.mode) && link_.mode != Mode::help;
     if (key == "tab") return word(value, link_.tab);
@@ -127,6 +128,15 @@ class LinkReader {
     return value.empty() && walk.column < walk.size.width && walk.row < walk.size.height;
   }
 
+  /// "LEFT_OUT" or "LEFT_OUT,DEPTH"
+  bool effects(std::string_view value) {
+    const std::size_t end = std::min(value.find(','), value.size());
+    std::uint32_t set = 0;
+    if (!parse_number(value.substr(0, end), set, 0U, (1U << effect_count) - 1, 16)) return false;
+    link_.left_out = set;
+    return end == value.size() || parse_number(value.substr(end + 1), link_.depth.emplace(), 1, EffectsRoom::deepest);
+  }
+
   Link& link_;
   std::string error_;
 };
@@ -150,6 +160,8 @@ std::string write_link(const Link& link) {
   if (link.integrator) part("walk", name_of(*link.integrator));
   if (link.single_precision) part("bits", 24);
   if (link.walk_samples != 1) part("samples", link.walk_samples);
+  if (link.left_out.any() || link.depth)
+    part("effects", fmt::format("{:x}{}", link.left_out.to_ulong(), link.depth ? fmt::format(",{}", *link.depth) : ""));
   if (link.step) part("step", *link.step);
   if (link.mode) part("mode", name_of(*link.mode));
   if (link.tab) part("tab", name_of(*link.tab));
