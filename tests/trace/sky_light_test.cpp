@@ -331,11 +331,14 @@ TEST_CASE("mirrors and glass show the sky, by every integrator") {
 
 TEMPLATE_TEST_CASE("under a sky, watched and unwatched give the same bits and the same counts", "", float, double) {
   using T = TestType;
+  std::size_t number = 0;
   for (const auto& [name, sky, below] : all_skies()) {
     INFO(name);
     Scene scene = busy_under(sky);
     scene.background = below;
+    ++number;
     for (const Integrator integrator : {Integrator::whitted, Integrator::distributed}) {
+      if (left_out(number++, 2)) continue;  // each sky has one of them
       scene.render.integrator = integrator;
       Recording recording;
       const auto plain = picture<T>(scene, 31, 23, {2, 7});
