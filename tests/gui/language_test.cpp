@@ -9,6 +9,7 @@
 #include "gui/folder.h"
 #include "gui/session.h"
 #include "lesson/lesson.h"
+#include "support/catch.h"
 #include "support/languages.h"
 
 using namespace raywalk;
