@@ -67,18 +67,18 @@ Process::~Process() {
 
 void Process::send(int signal) const { REQUIRE(kill(id_, signal) == 0); }
 
+bool Process::catches(int signal) const {
+  std::istringstream status(contents("/proc/" + std::to_string(id_) + "/status"));
+  std::string word;
+  while (status >> word)
+    if (word == "SigCgt:" && status >> word) return (std::stoull(word, nullptr, 16) >> (signal - 1) & 1U) == 1;
+  return false;
+}
+
 void Process::wait_until_busy_and_catching(int signal) const {
-  const fs::path folder = fs::path("/proc") / std::to_string(id_);
-  const auto catches = [&] {
-    std::istringstream status(contents(folder / "status"));
-    std::string word;
-    while (status >> word)
-      if (word == "SigCgt:" && status >> word) return (std::stoull(word, nullptr, 16) >> (signal - 1) & 1U) == 1;
-    return false;
-  };
   // Field 14 of `stat`: ticks spent in the program itself.
   const auto ticks = [&] {
-    const std::string stat = contents(folder / "stat");
+    const std::string stat = contents("/proc/" + std::to_string(id_) + "/stat");
     std::istringstream fields(stat.substr(std::min(stat.size(), stat.rfind(')') + 1)));
     std::string field;
     for (int i = 3; i <= 14; ++i) fields >> field;
@@ -87,8 +87,8 @@ void Process::wait_until_busy_and_catching(int signal) const {
   const auto pause = [] { std::this_thread::sleep_for(std::chrono::milliseconds(5)); };
   const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(60);
   const auto in_time = [&] { return std::chrono::steady_clock::now() < give_up; };
-  while (!catches() && in_time()) pause();
-  REQUIRE(catches());
+  while (!catches(signal) && in_time()) pause();
+  REQUIRE(catches(signal));
   const long enough = ticks() + sysconf(_SC_CLK_TCK) / 3;
   while (ticks() < enough && in_time()) pause();
   REQUIRE(ticks() >= enough);

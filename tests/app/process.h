@@ -24,6 +24,8 @@ class Process {
   Process& operator=(const Process&) = delete;
 
   void send(int signal) const;
+  // Whether it has set a handler for `signal`.
+  [[nodiscard]] bool catches(int signal) const;
   // Waits until it has set a handler for `signal` and has computed for a while after that.
   void wait_until_busy_and_catching(int signal) const;
   // Waits for its end.
