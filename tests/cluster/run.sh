@@ -32,8 +32,8 @@ render=("$raywalk" render "$SCENE" "${options[@]}")
 whole=$(sha256sum <whole.pfm)
 failed=0
 
-# judge HOW PARTS STATUS: whether the launcher ended well and the second part is missing, and it alone; renders that again,
-# merges, and compares.
+# judge HOW PARTS STATUS: whether the launcher ended well and only the second part is missing; renders that, merges, and
+# compares.
 judge() {
   local how=$1 parts=$2 status=$3 again=0 i
   if ((status != 0)); then
