@@ -15,7 +15,7 @@ constexpr AcceleratorKind kinds[] = {AcceleratorKind::none,  AcceleratorKind::sp
                                      AcceleratorKind::bvh,   AcceleratorKind::grid,    AcceleratorKind::octree,
                                      AcceleratorKind::kdtree};
 
-constexpr int finer = sanitized ? 4 : 6;  // icosphere's: 5,120 or 81,920 triangles
+constexpr int finer = sanitized ? 4 : 5;  // icosphere's: 5,120 or 20,480 triangles
 
 template <class T>
 Primitives<T> ball() {

@@ -5,10 +5,8 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <csignal>
 #include <string>
-#include <thread>
 
 using namespace raywalk;
 using namespace raywalk::test;
@@ -90,12 +88,39 @@ TEST_CASE("generate writes what can be rendered at once") {
     CHECK(folder.run({"render", name, "-o", name + ".png", "--size", "32x32"}).exit_code == 0);
 }
 
+TEST_CASE("generate makes a forest of a mesh, whose upward axis is said") {
+  const Folder folder;
+  CHECK(folder.run({"generate", "mesh", "--count", "60", "-o", "ball.ply"}).exit_code == 0);
+  const auto forest = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"generate", "forest", "--count", "5", "--mesh", "ball.ply", "-o", "forest.toml"});
+    const Outcome outcome = folder.run(words);
+    INFO(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    const auto read = read_scene(folder / "forest.toml");
+    REQUIRE(read);
+    CHECK(read->scene.objects.size() == 6);  // with the floor
+    REQUIRE(read->scene.groups.size() == 1);
+    CHECK(std::get<MeshShape>(read->scene.groups[0].objects.at(0).shape).file == "ball.ply");
+    return folder.read("forest.toml");
+  };
+  const std::string upright = forest({}), from_y = forest({"--up", "y"}), from_x = forest({"--up", "x"});
+  CHECK(forest({"--up", "z"}) == upright);
+  CHECK(upright != from_y);
+  CHECK(upright != from_x);
+  CHECK(from_x != from_y);
+  CHECK(folder.run({"render", "forest.toml", "-o", "forest.png", "--size", "16x12"}).exit_code == 0);
+  CHECK(folder.run({"generate", "forest", "-o", "other.toml"}).exit_code == 2);
+  CHECK(folder.run({"generate", "forest", "--mesh", "ball.ply", "--up", "w", "-o", "other.toml"}).exit_code == 2);
+  CHECK(folder.run({"generate", "forest", "--mesh", "none.ply", "-o", "other.toml"}).exit_code == 1);
+  CHECK_FALSE(folder.holds("other.toml"));
+}
+
 TEST_CASE("generate leaves nothing half-written, whatever ends it") {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGKILL}) {
     CAPTURE(signal);
     const Folder folder;
     Process process(raywalk_program(), {"generate", "mesh", "--count", "100000000", "-o", "big.ply"}, folder.path());
-    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    process.wait_until_busy_and_catching(SIGTERM);
     process.send(signal);
     CHECK(process.wait().exit_code != 0);
     // Where a file system knows no files without a name, the next one to write there clears what a kill left.

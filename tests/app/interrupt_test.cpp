@@ -97,7 +97,9 @@ TEST_CASE("what the parent ignores stays ignored") {
       {"-c", "trap '' HUP; exec \"$0\" \"$@\"", raywalk_program(), "render", "classic", "-o", "c.png", "--spp", "2000"},
       folder.path());
   process.wait_until_busy_and_catching(SIGTERM);
+  CHECK_FALSE(process.catches(SIGHUP));
   process.send(SIGHUP);
+  process.wait_until_busy_and_catching(SIGTERM);  // it goes on
   process.send(SIGTERM);
   const Outcome outcome = process.wait();
   CHECK(outcome.exit_code == 1);

@@ -63,6 +63,30 @@ TEST_CASE("a language that is dropped into the data folder is spoken, with Engli
                             contains("\n  walk.pixel_begun\n") && !contains("  walk.start\n"));
 }
 
+TEST_CASE("what is installed from the build folder is all that the program needs, texts that may be changed among it") {
+  const fs::path build = fs::path(raywalk_program()).parent_path();
+  if (!fs::exists(build / "cmake_install.cmake")) RAYWALK_SKIP("the program does not stand in its build folder");
+  const Folder folder;
+  if (Process("/bin/sh", {"-c", "command -v cmake"}, folder.path()).wait().exit_code != 0)
+    RAYWALK_SKIP("cmake is not installed");
+  // Without the library, which need not be built and has a test of its own.
+  const std::string words = "exec cmake --install \"$0\" --prefix \"$1\" --component Unspecified";
+  const Outcome installed =
+      Process("/bin/sh", {"-c", words, build.string(), folder.path().string()}, folder.path()).wait();
+  INFO(installed.out << installed.err);
+  REQUIRE(installed.exit_code == 0);
+  CHECK(folder.names() == std::vector<std::string>{"bin", "share"});
+  folder.write("share/raywalk/text/fr.toml", french_head + "[ray]\nprimary = \"rayon primaire\"\n");
+  const auto run = [&](const std::vector<std::string>& arguments) {
+    return Process(folder / "bin/raywalk", arguments, folder.path()).wait();
+  };
+  const Outcome step = run({"step", "classic", "--pixel", "10", "--language", "fr"});
+  CHECK(step.err == "");
+  CHECK_THAT(step.out, contains("The rayon primaire hits Polygon"));
+  CHECK(run({"lesson", "list"}).out == folder.run({"lesson", "list"}).out);
+  CHECK(run({"lesson", "check", "1"}).exit_code == 0);
+}
+
 TEST_CASE("a broken file of texts is named with its line, and the other languages stand") {
   const Installed program;
   program.put("fr.toml", french_head + "[walk]\nstart = Rien\n");

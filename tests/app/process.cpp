@@ -6,13 +6,12 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <sstream>
 #include <thread>
 
@@ -22,30 +21,13 @@ namespace raywalk::test {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-std::string bytes_of(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
-
-constexpr unsigned max_seconds = 120;
-
-fs::path new_path(const std::string& what) {
-  static std::atomic<int> next{0};
-  return fs::temp_directory_path() / ("raywalk-test-" + std::to_string(getpid()) + "-" + what + std::to_string(next++));
-}
-
-}  // namespace
-
-Process::Process(const std::string& program, const std::vector<std::string>& arguments, const fs::path& folder)
-    : out_(new_path("out")), err_(new_path("err")) {
+Process::Process(const std::string& program, const std::vector<std::string>& arguments, const fs::path& folder) {
   std::vector<std::string> words{program};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
-  const std::string where = folder.string(), out = out_.string(), err = err_.string();
+  const std::string where = folder.string(), out = said_.file("out"), err = said_.file("err");
   // Closed by exec: until then the child still is a copy of this program, with the test framework's signal handlers.
   std::array<int, 2> begun{};
   REQUIRE(pipe2(begun.data(), O_CLOEXEC) == 0);
@@ -69,6 +51,7 @@ Process::Process(const std::string& program, const std::vector<std::string>& arg
   unsetenv("DISPLAY");
   unsetenv("WAYLAND_DISPLAY");
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
+  constexpr unsigned max_seconds = 120;
   alarm(max_seconds);  // whatever hangs is ended, also when the tests themselves are
   if (chdir(where.c_str()) != 0) _exit(126);
   execv(argv.front(), argv.data());
@@ -80,25 +63,22 @@ Process::~Process() {
     kill(id_, SIGKILL);
     waitpid(id_, nullptr, 0);
   }
-  std::error_code ignored;
-  fs::remove(out_, ignored);
-  fs::remove(err_, ignored);
 }
 
 void Process::send(int signal) const { REQUIRE(kill(id_, signal) == 0); }
 
+bool Process::catches(int signal) const {
+  std::istringstream status(contents("/proc/" + std::to_string(id_) + "/status"));
+  std::string word;
+  while (status >> word)
+    if (word == "SigCgt:" && status >> word) return (std::stoull(word, nullptr, 16) >> (signal - 1) & 1U) == 1;
+  return false;
+}
+
 void Process::wait_until_busy_and_catching(int signal) const {
-  const fs::path folder = fs::path("/proc") / std::to_string(id_);
-  const auto catches = [&] {
-    std::istringstream status(bytes_of(folder / "status"));
-    std::string word;
-    while (status >> word)
-      if (word == "SigCgt:" && status >> word) return (std::stoull(word, nullptr, 16) >> (signal - 1) & 1U) == 1;
-    return false;
-  };
   // Field 14 of `stat`: ticks spent in the program itself.
   const auto ticks = [&] {
-    const std::string stat = bytes_of(folder / "stat");
+    const std::string stat = contents("/proc/" + std::to_string(id_) + "/stat");
     std::istringstream fields(stat.substr(std::min(stat.size(), stat.rfind(')') + 1)));
     std::string field;
     for (int i = 3; i <= 14; ++i) fields >> field;
@@ -107,8 +87,8 @@ void Process::wait_until_busy_and_catching(int signal) const {
   const auto pause = [] { std::this_thread::sleep_for(std::chrono::milliseconds(5)); };
   const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(60);
   const auto in_time = [&] { return std::chrono::steady_clock::now() < give_up; };
-  while (!catches() && in_time()) pause();
-  REQUIRE(catches());
+  while (!catches(signal) && in_time()) pause();
+  REQUIRE(catches(signal));
   const long enough = ticks() + sysconf(_SC_CLK_TCK) / 3;
   while (ticks() < enough && in_time()) pause();
   REQUIRE(ticks() >= enough);
@@ -119,7 +99,7 @@ Outcome Process::wait() {
   REQUIRE(waitpid(id_, &status, 0) == id_);
   id_ = -1;
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  return {code, bytes_of(out_), bytes_of(err_)};
+  return {code, contents(said_.file("out")), contents(said_.file("err"))};
 }
 
 std::string raywalk_program() {
@@ -130,18 +110,11 @@ std::string raywalk_program() {
   return path;
 }
 
-Folder::Folder() : path_(new_path("")) { fs::create_directory(path_); }
-
-Folder::~Folder() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-}
-
 void Folder::write(const std::string& name, const std::string& bytes) const {
   std::ofstream(path_ / name, std::ios::binary) << bytes;
 }
 
-std::string Folder::read(const std::string& name) const { return bytes_of(path_ / name); }
+std::string Folder::read(const std::string& name) const { return contents(*this / name); }
 
 std::vector<std::string> Folder::names() const {
   std::vector<std::string> names;

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "support/temporary_folder.h"
+
 namespace raywalk::test {
 
 struct Outcome {
@@ -22,6 +24,8 @@ class Process {
   Process& operator=(const Process&) = delete;
 
   void send(int signal) const;
+  // Whether it has set a handler for `signal`.
+  [[nodiscard]] bool catches(int signal) const;
   // Waits until it has set a handler for `signal` and has computed for a while after that.
   void wait_until_busy_and_catching(int signal) const;
   // Waits for its end.
@@ -29,7 +33,7 @@ class Process {
 
  private:
   int id_ = -1;
-  std::filesystem::path out_, err_;
+  TemporaryFolder said_;
 };
 
 // raywalk as it was built, from RAYWALK_BIN; fails the test case when it is not set.
@@ -38,11 +42,6 @@ std::string raywalk_program();
 // An empty folder, gone at the end.
 class Folder {
  public:
-  Folder();
-  ~Folder();
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   [[nodiscard]] std::string operator/(const std::string& name) const { return (path_ / name).string(); }
   void write(const std::string& name, const std::string& bytes) const;
@@ -54,7 +53,8 @@ class Folder {
   [[nodiscard]] Outcome run(const std::vector<std::string>& arguments) const;
 
  private:
-  std::filesystem::path path_;
+  TemporaryFolder folder_;
+  std::filesystem::path path_ = folder_.path();
 };
 
 }  // namespace raywalk::test

@@ -77,6 +77,26 @@ TEST_CASE("neither threads nor the accelerator change a byte of the picture") {
   }
 }
 
+TEST_CASE("the shadow cache is on or off as is said, saves tests, and changes no byte of the picture") {
+  const Folder folder;
+  std::string expected;
+  const auto tests = [&](const std::vector<std::string>& words) {
+    std::vector<std::string> arguments{"render", "mesh", "-o", "x.pfm", "--size", "63x41", "--stats", "x.json"};
+    arguments.insert(arguments.end(), {"--threads", "1"});
+    arguments.insert(arguments.end(), words.begin(), words.end());
+    REQUIRE(folder.run(arguments).exit_code == 0);
+    if (expected.empty()) expected = folder.read("x.pfm");
+    CHECK(folder.read("x.pfm") == expected);
+    return nlohmann::json::parse(folder.read("x.json")).at("tests").at("nodes").get<int>();
+  };
+  const int left_out = tests({}), on = tests({"--shadow-cache"}), off = tests({"--no-shadow-cache"});
+  CHECK(on < off);
+  CHECK(left_out == on);
+  const Outcome both = folder.run({"render", "mesh", "-o", "y.pfm", "--shadow-cache", "--no-shadow-cache"});
+  CHECK(both.exit_code == 2);
+  CHECK_FALSE(folder.holds("y.pfm"));
+}
+
 TEST_CASE(
     "how long a tree over meshes is built changes no byte of the picture, and the file says what it costs a ray") {
   const Folder folder;

@@ -36,7 +36,7 @@ grep -Eq '^bounce 1 +[0-9.]+ \( +0\)' <<<"$race" || { echo "unexpected: $race"; 
 
 # A mesh of one triangle instead of the room: the mesh and the folder that holds it are not shipped.
 mesh=$(mktemp --suffix=.ply)
+trap 'rm -f "$mesh"' EXIT
 printf 'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n-9 0 0\n9 0 0\n0 9 0\n3 0 1 2\n' >"$mesh"
 bunny=$("$folder/benchmark_bunny_room" "$mesh" 16x16 1 1 1)
-rm -f "$mesh"
 grep -Eq '^float  paths +[0-9.]+ million rays/s' <<<"$bunny" || { echo "unexpected: $bunny"; exit 1; }

@@ -6,11 +6,11 @@
 #include "png.h"
 #include "render/render.h"
 #include "support/catch.h"
+#include "support/temporary_folder.h"
 #include "text/file.h"
 
 #include <algorithm>
 #include <cstdlib>
-#include <filesystem>
 #include <string>
 
 using namespace raywalk;
@@ -33,23 +33,18 @@ double share_off(const Picture& a, const Picture& b) {
 /// A folder for the scenes and pictures of one test.
 class Workshop {
  public:
-  Workshop() { folder_ = ::mkdtemp(pattern_.data()); }
-  ~Workshop() { std::filesystem::remove_all(folder_); }
-  Workshop(const Workshop&) = delete;
-  Workshop& operator=(const Workshop&) = delete;
-
   /// Share of the pixels in which POV-Ray's picture of the converted scene is another one.
   double share_off_converted(Scene scene) const {
     scene.image = {160, 120};
     const auto rendering = render(scene);
     REQUIRE(rendering);
     const Picture ours = decode_png(*encode_png(rendering->image()));
-    REQUIRE(write_file_atomically((folder_ / "scene.pov").string(), format_pov(scene).text));
-    const std::string command = "cd '" + folder_.string() +
+    REQUIRE(write_file_atomically(folder_.file("scene.pov"), format_pov(scene).text));
+    const std::string command = "cd '" + folder_.path() +
                                 "' && povray +Iscene.pov +Oscene.png +W160 +H120 -A +WT1 -D -GA >log 2>&1 || "
                                 "{ cat log >&2; exit 1; }";
     REQUIRE(std::system(command.c_str()) == 0);
-    const auto bytes = read_file((folder_ / "scene.png").string(), std::size_t{1} << 26);
+    const auto bytes = read_file(folder_.file("scene.png"), std::size_t{1} << 26);
     REQUIRE(bytes);
     const Picture theirs = decode_png(*bytes);
     REQUIRE(theirs.bytes.size() == ours.bytes.size());
@@ -57,8 +52,7 @@ class Workshop {
   }
 
  private:
-  std::string pattern_ = (std::filesystem::temp_directory_path() / "raywalk-pov-XXXXXX").string();
-  std::filesystem::path folder_;
+  TemporaryFolder folder_;
 };
 
 bool has_povray() { return std::system("command -v povray >/dev/null 2>&1") == 0; }

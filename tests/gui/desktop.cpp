@@ -160,9 +160,11 @@ Visualiser::Visualiser(const Desktop& desktop, const std::vector<std::string>& a
       err_(desktop.folder() / "raywalk.err"),
       program_(
           [&] {
-            fs::remove(desktop.folder() / "report.json");
-            std::vector<std::string> words{raywalk_program(), "--report", (desktop.folder() / "report.json").string(),
-                                           "--state-dir", (desktop.folder() / "state").string()};
+            // Of a program that ran here before.
+            fs::remove(report_path_);
+            fs::remove(err_);
+            std::vector<std::string> words{raywalk_program(), "--report", report_path_.string(), "--state-dir",
+                                           (desktop.folder() / "state").string()};
             words.insert(words.end(), arguments.begin(), arguments.end());
             return words;
           }(),

@@ -9,7 +9,9 @@
 #include "gui/folder.h"
 #include "gui/session.h"
 #include "lesson/lesson.h"
+#include "support/catch.h"
 #include "support/languages.h"
+#include "text/file.h"
 
 using namespace raywalk;
 using namespace raywalk::test;
@@ -180,8 +182,36 @@ TEST_CASE("in every language, every button stands in the window and its words wi
           CHECK(where.x >= 0);
           CHECK(where.right() <= 1280);
           CHECK(where.bottom() <= 720);
+          CHECK(where.y >= 0);
+          CHECK_FALSE(bench.has(item + "/clipped"));
         }
       }
+}
+
+TEST_CASE("a word that is longer than its button or its place is told of") {
+  const Folder folder;
+  const std::string head = "[language]\nname = \"Long\"\ndecimal_mark = \",\"\nseparator = \"; \"\n";
+  const std::string words = "\"" + std::string(300, 'W') + "\"\n";
+  folder.put("en.toml", read_file(RAYWALK_SOURCE_DIR "/src/text/en.toml", 1 << 22).value());
+  folder.put("xx.toml", head + "[command.step]\nlabel = " + words + "[property]\nname = " + words);
+  const LanguagesRead read = read_languages(folder.path().string());
+  REQUIRE(read.broken.empty());
+  State state = classic();
+  state.appearance.language = read.languages->find("xx").value();
+  update(state, action::SetMode{Mode::move});
+  update(state, action::Select{{TargetKind::object, 0}});
+  Bench bench(std::move(state));
+  bench.frames(3);
+  const auto told = [&](const std::string& end) {
+    const auto& items = bench.interface().items();
+    return std::any_of(items.begin(), items.end(), [&](const auto& item) { return item.first.ends_with(end); });
+  };
+  CHECK(told("/label/clipped"));
+  update(bench.state, action::SetMode{Mode::trace});
+  bench.frames(3);
+  CHECK(bench.has("step"));
+  CHECK(bench.has("step/clipped"));
+  CHECK_FALSE(bench.has("clear/clipped"));
 }
 
 TEST_CASE("no word is longer than its button or its place at 1280 x 720, in every language") {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <functional>
 #include <map>
 #include <vector>
 
@@ -53,12 +54,19 @@ State scene_of(const std::string& name) {
   return state;
 }
 
+/// Works until nothing is left to do, with `milliseconds` a turn.
+void finish(LiveImage& image, const State& state, double milliseconds, const std::function<void(int)>& each_turn = {}) {
+  for (int turn = 0; image.work(state, milliseconds); ++turn) {
+    REQUIRE(turn < 100'000);
+    if (each_turn) each_turn(turn);
+  }
+}
+
 std::vector<std::uint8_t> by_threads(const State& state) {
   PlayedWorkers none(0);
   LiveImage image(none);
   image.follow(state);
-  while (image.work(state, 1000)) {
-  }
+  finish(image, state, 1000);
   return image.preview().rgba();
 }
 
@@ -72,12 +80,10 @@ TEST_CASE("workers make the picture that threads make, in every shipped scene's 
       PlayedWorkers workers(count);
       LiveImage image(workers);
       image.follow(state);
-      int turns = 0;
-      while (image.work(state, 14)) {
+      finish(image, state, 14, [&](int turn) {
         CHECK(image.waits());
-        workers.patience = 2 + turns++ % 3;
-        REQUIRE(turns < 100000);
-      }
+        workers.patience = 2 + turn % 3;
+      });
       CHECK_FALSE(image.waits());
       CHECK(image.preview().finished());
       CHECK(image.preview().rgba() == by_threads(state));
@@ -93,7 +99,7 @@ TEST_CASE("workers leave out what is switched off, as threads do") {
     PlayedWorkers workers(count);
     LiveImage image(workers);
     image.follow(state);
-    while (image.work(state, 14)) workers.patience = 3;
+    finish(image, state, 14, [&](int) { workers.patience = 3; });
     CHECK(image.preview().finished());
     return image_of(image.preview().film<double>());
   };
@@ -128,8 +134,7 @@ TEST_CASE("an edit makes what was handed out void, and few rows are out at any t
   image.follow(state);
   CHECK(image.preview().done() == 0);
   workers.patience = 1000000;
-  while (image.work(state, 14)) {
-  }
+  finish(image, state, 14);
   CHECK(image.preview().rgba() == by_threads(state));
 }
 
@@ -143,8 +148,7 @@ TEST_CASE("when workers are lost the picture is made here") {
   workers.lose();
   image.work(state, 0);
   CHECK_FALSE(image.waits());
-  while (image.work(state, 1000)) {
-  }
+  finish(image, state, 1000);
   CHECK(image.preview().finished());
   CHECK(image.preview().rgba() == by_threads(state));
 }

@@ -95,18 +95,16 @@ TEMPLATE_TEST_CASE("neither threads nor the order of tiles change a bit", "", fl
         CHECK(pixels_that_differ(one.film_of<TestType>(), other.film_of<TestType>()) == 0);
         CHECK(text_of(one.statistics) == text_of(other.statistics));
       };
-      for (const int threads : {2, 3, 8}) {
-        CAPTURE(threads);
-        settings.threads = threads;
-        check_same();
-        settings.reorder_tiles = [](std::vector<int>& tiles) { std::reverse(tiles.begin(), tiles.end()); };
-        check_same();
-        settings.reorder_tiles = [&](std::vector<int>& tiles) {
-          std::shuffle(tiles.begin(), tiles.end(), std::minstd_rand(static_cast<unsigned>(threads)));
-        };
-        check_same();
-        settings.reorder_tiles = {};
-      }
+      settings.threads = 2;
+      settings.reorder_tiles = [](std::vector<int>& tiles) { std::reverse(tiles.begin(), tiles.end()); };
+      check_same();
+      settings.threads = 8;
+      settings.reorder_tiles = {};
+      check_same();
+      settings.reorder_tiles = [](std::vector<int>& tiles) {
+        std::shuffle(tiles.begin(), tiles.end(), std::minstd_rand(8));
+      };
+      check_same();
     }
   }
 }

@@ -24,12 +24,6 @@ State walked() {
   return state;
 }
 
-std::string contents(const std::string& path) {
-  const auto bytes = read_file(path, 1 << 26);
-  REQUIRE(bytes);
-  return *bytes;
-}
-
 }  // namespace
 
 TEST_CASE("the ending says what is written") {

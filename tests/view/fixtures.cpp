@@ -7,8 +7,8 @@
 #include "view/space/lines_view.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
-#include <random>
 
 #include "support/catch.h"
 #include "support/languages.h"
@@ -158,17 +158,6 @@ std::string broken_promise(const State& state) {
     return "a search goes on past its end";
   if (shows_structure(state) && structure_panel(state).sentence.empty()) return "no sentence about the structure";
   return {};
-}
-
-TemporaryFolder::TemporaryFolder() {
-  std::random_device random;
-  folder_ = std::filesystem::temp_directory_path() / ("raywalk_view_" + std::to_string(random()));
-  std::filesystem::create_directories(folder_);
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code failed;
-  std::filesystem::remove_all(folder_, failed);
 }
 
 void make_dirty(State& state) {

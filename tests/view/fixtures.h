@@ -1,10 +1,10 @@
 // Scenes and helpers that the tests of `view` share.
 #pragma once
 
+#include "support/temporary_folder.h"
 #include "view/action.h"
 #include "view/plan/plan_view.h"
 
-#include <filesystem>
 #include <string>
 #include <variant>
 #include <vector>
@@ -48,20 +48,6 @@ void drag_by(State& state, const Target& target, const Vec2d& by, action::Modifi
 
 /// What must hold after whatever action: empty when it does, else what does not.
 std::string broken_promise(const State& state);
-
-/// A folder of this process's own, removed at the end.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  [[nodiscard]] std::string file(const std::string& name) const { return (folder_ / name).string(); }
-  [[nodiscard]] std::string path() const { return folder_.string(); }
-
- private:
-  std::filesystem::path folder_;
-};
 
 /// Edits the scene so that it is not saved.
 void make_dirty(State& state);

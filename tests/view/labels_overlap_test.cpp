@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <map>
 #include <set>
 
 #include "lesson_state.h"
@@ -138,9 +137,15 @@ bool cross_each_other(const LineItem& a, const LineItem& b) {
   return sides(a, b) && sides(b, a);
 }
 
-void check_leaders(const State& state, const DisplayList& list, const std::vector<Words>& words) {
+/// What a test met.
+struct Met {
+  int texts = 0, over_ray = 0, leaders = 0;
+};
+
+void check_leaders(const State& state, const DisplayList& list, const std::vector<Words>& words, Met& met) {
   for (const DisplayItem& item : list) {
     if (!is_leader(state, item)) continue;
+    ++met.leaders;
     const auto& leader = std::get<LineItem>(item.shape);
     // Its own text is the one that it begins at.
     const auto distance = [&](const Words& each) {
@@ -167,8 +172,8 @@ void check_leaders(const State& state, const DisplayList& list, const std::vecto
   }
 }
 
-/// Which texts lie over what; the kinds of what they should not lie on.
-void check(const State& state, std::map<std::string, int>& crossed) {
+/// That no text and no leader lies over what it should not lie on.
+void check(const State& state, Met& met) {
   const DisplayList list = plan_view(state);
   const std::vector<Words> words = texts_in(list, state.plan.viewport);
   for (std::size_t a = 0; a < words.size(); ++a) {
@@ -208,10 +213,10 @@ void check(const State& state, std::map<std::string, int>& crossed) {
           break;
       }
     }
-    ++crossed["texts"];
-    if (over_ray) ++crossed["over a ray"];
+    ++met.texts;
+    met.over_ray += over_ray;
   }
-  check_leaders(state, list, words);
+  check_leaders(state, list, words, met);
   // What a lesson speaks of most has its name, wherever it stands.
   const Vec2d eye = to_pixels(state.plan.camera, state.plan.viewport, plan(state.scene().camera.eye));
   const bool in_sight =
@@ -262,7 +267,7 @@ void show_in(State& state, const Viewport& units, double scale, Theme theme) {
 }  // namespace
 
 TEST_CASE("no text of the plan lies over what it could hide: every shipped scene") {
-  std::map<std::string, int> crossed;
+  Met met;
   unsigned turn = 0;
   for (const std::string& path : shipped_scenes()) {
     State state = make_state(read_document(path));
@@ -273,19 +278,21 @@ TEST_CASE("no text of the plan lies over what it could hide: every shipped scene
         show_in(state, window.alone, window.scale, theme);
         INFO(path << ", " << window.alone.width << " wide, " << name_of(theme));
         update(state, action::SetMode{Mode::move});
-        check(state, crossed);
+        check(state, met);
         for (const int cell : {0, middle}) {
           update(state, action::JumpToCell{cell});
           update(state, action::Step{true, Grain::pixel});
-          check(state, crossed);
+          check(state, met);
         }
       }
   }
-  std::printf("scenes: %d texts, %d over a ray\n", crossed["texts"], crossed["over a ray"]);
+  std::printf("scenes: %d texts, %d over a ray, %d leaders\n", met.texts, met.over_ray, met.leaders);
+  CHECK(met.texts > (sanitized ? 100 : 1000));
+  CHECK(met.leaders > (sanitized ? 10 : 100));
 }
 
 TEST_CASE("no text of the plan lies over what it could hide: every step of every lesson") {
-  std::map<std::string, int> crossed;
+  Met met;
   State state = state_with_lessons();
   unsigned turn = 0;
   for (const LessonEntry& entry : std::vector<LessonEntry>(state.lessons.list)) {
@@ -307,12 +314,14 @@ TEST_CASE("no text of the plan lies over what it could hide: every step of every
             INFO(entry.name << ", step " << step + 1 << " at " << position << ", " << state.plan.viewport.width
                             << " wide, " << name_of(state.appearance.theme) << ", " << state.appearance.language.code()
                             << ", " << tab.word);
-            check(state, crossed);
+            check(state, met);
           }
       }
     }
   }
-  std::printf("lessons: %d texts, %d over a ray\n", crossed["texts"], crossed["over a ray"]);
+  std::printf("lessons: %d texts, %d over a ray, %d leaders\n", met.texts, met.over_ray, met.leaders);
+  CHECK(met.texts > (sanitized ? 100 : 1000));
+  CHECK(met.leaders > (sanitized ? 10 : 100));
 }
 
 TEST_CASE("each thing of a scene has its name in the plan, however small the plan is") {
@@ -350,12 +359,14 @@ TEST_CASE("floor and ceiling of a room have their names inside of it") {
   State state = state_with_lessons();
   update(state, action::OpenLesson{"14-radiosity"});
   update(state, action::GoToLessonStep{0});
+  int named = 0;
   for (const Window& window : windows) {
     show_in(state, window.beside_lesson, window.scale, Theme::projector);
     const DisplayList list = plan_view(state);
     for (const Words& words : texts_in(list, state.plan.viewport)) {
       if (words.text != "Floor" && words.text != "Ceiling") continue;
       INFO(words.text << ", " << window.beside_lesson.width << " wide");
+      ++named;
       CHECK(std::any_of(list.begin(), list.end(), [&](const DisplayItem& item) {
         return item.target.kind == TargetKind::object && object_name(state, item.target.index) == words.text &&
                lies_on(item, words.box);
@@ -365,6 +376,7 @@ TEST_CASE("floor and ceiling of a room have their names inside of it") {
       }));
     }
   }
+  CHECK(named > 8);
 }
 
 TEST_CASE("in space no name lies over another or below the buttons, in any lesson and on a telephone") {
@@ -424,22 +436,25 @@ TEST_CASE("hardly a number beside a hit lies on the outline of a body, in the le
 
 TEST_CASE("EYE and the lights keep off the sky and the curve beside it") {
   State state = make_state(read_document(std::string(RAYWALK_SOURCE_DIR) + "/scenes/open_air.toml"));
+  int met = 0;
   for (const Window& window : windows)
     for (const Mode mode : {Mode::move, Mode::trace}) {
       show_in(state, window.alone, window.scale, Theme::projector);
       update(state, action::SetMode{mode});
       const DisplayList list = plan_view(state);
       for (const DisplayItem& curve : list) {
+        if (!is_sky(curve)) continue;
         const auto* line = std::get_if<PolylineItem>(&curve.shape);
-        if (line == nullptr || curve.target || line->points.size() < 100) continue;
         for (const DisplayItem& symbol : list)
           if (symbol.target.kind == TargetKind::eye || symbol.target.kind == TargetKind::light) {
             INFO(window.alone.width << " wide, " << name_of(symbol.target.kind));
+            ++met;
             CHECK(std::none_of(line->points.begin(), line->points.end(),
                                [&](const Vec2d& at) { return distance_to(symbol, at) == 0; }));
           }
       }
     }
+  CHECK(met > 100);
 }
 
 TEST_CASE("hardly a name lies on the edge of a beam") {

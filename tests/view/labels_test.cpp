@@ -111,6 +111,7 @@ TEST_CASE("the name on a footprint can be read whatever the body's colour") {
   const std::vector<ObjectShape> shapes{Ellipsoid<double>{{1, 1, 1}}, Disk<double>{{0, 0, 0}, {0, 0, 1}, 1},
                                         Triangle<double>{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}},
                                         Sphere<double>{{0, 0, 5}, 1}, Sphere<double>{{0, 0, 0}, 1}};
+  int seen = 0;
   for (const Theme theme : {Theme::dark, Theme::projector})
     for (const ObjectShape& shape : shapes)
       for (int colour = 0; colour < 27; ++colour) {
@@ -126,8 +127,10 @@ TEST_CASE("the name on a footprint can be read whatever the body's colour") {
           const Colour ground = painted(state, list, name.item, (name.min + name.max) / 2.0);
           INFO("shape " << shape.index() << ", colour " << colour);
           CHECK(contrast(std::get<TextItem>(list[name.item].shape).colour, ground) >= 4.5);
+          ++seen;
         }
       }
+  CHECK(seen == 2 * 27 * static_cast<int>(shapes.size()));
 }
 
 TEST_CASE("a name is nearer to its own body than to any other, or a line leads to it, and none covers another") {
@@ -177,14 +180,19 @@ TEST_CASE("a name is nearer to its own body than to any other, or a line leads t
 }
 
 TEST_CASE("the arrow of the view does not cross the name of SCREEN") {
+  int met = 0;
   for (const std::string& path : shipped_scenes())
     in_every_pane(path, [&](const State& state, const DisplayList& list) {
       if (state.walk.mode != Mode::move) return;
       for (const Name& name : names_of(list)) {
         if (name.text != "SCREEN") continue;
         for (const DisplayItem& item : list)
-          if (const auto* line = std::get_if<LineItem>(&item.shape); line != nullptr && line->arrow > 0 && !item.target)
+          if (const auto* line = std::get_if<LineItem>(&item.shape);
+              line != nullptr && line->arrow > 0 && !item.target) {
             CHECK(distance_between(item, name) > 0);
+            ++met;
+          }
       }
     });
+  CHECK(met > 100);
 }

@@ -382,20 +382,18 @@ TEST_CASE("a step hides the rays of pixels before its own, unless its answer tak
 }
 
 TEST_CASE("progress is kept between sittings") {
-  const auto folder = std::filesystem::temp_directory_path() / "raywalk-lesson-progress";
-  std::filesystem::remove_all(folder);
+  const test::TemporaryFolder folder;
   {
-    State state = with_lessons(folder.string());
+    State state = with_lessons(folder.path());
     update(state, action::OpenLesson{state.lessons.list[0].name});
     update(state, action::GoToLessonStep{1});
     update(state, action::SetLessonOptions{false, true});
   }
-  State state = with_lessons(folder.string());
+  State state = with_lessons(folder.path());
   CHECK(state.lessons.unlocked);
   CHECK(lesson_panel(state).rows[0].done == 1);
   update(state, action::OpenLesson{state.lessons.list[0].name});
   CHECK(state.lessons.step == 1);
-  std::filesystem::remove_all(folder);
 }
 
 TEST_CASE("a step with a bug asks for the line at fault, and mends the tracer when it is over") {

@@ -119,22 +119,32 @@ TEST_CASE("a scene of very many objects stands in the middle of the pane, as lar
 }
 
 TEST_CASE("in a small pane the names of EYE and the lights are whole, or left out") {
+  int named = 0, eyes = 0;
   for (const std::string& path : shipped_scenes()) {
     State state = make_state(read_document(path));
     for (const Viewport& pane : {Viewport{420, 210}, Viewport{300, 120}, Viewport{240, 290}}) {
       update(state, action::ResizePlan{pane});
       const DisplayList list = lines_view(state, pane);
-      for (const Light& light : state.scene().lights) {
-        const TextItem* name = text_with(list, light.name);
-        if (name == nullptr) continue;
-        INFO(path << ", " << pane.width << " wide: " << light.name);
+      const auto is_whole = [&](const std::string& words) {
+        const TextItem* name = text_with(list, words);
+        if (name == nullptr) return false;
+        INFO(path << ", " << pane.width << " wide: " << name->text);
+        const double width = 0.72 * text_width(name->text, name->size);  // text_width() is generous
+        const double left = name->at.x - (name->anchor == TextAnchor::middle ? width / 2
+                                          : name->anchor == TextAnchor::end  ? width
+                                                                             : 0);
+        CHECK(left >= 0);
+        CHECK(left + width <= pane.width);
         CHECK(name->at.y - 0.38 * name->size >= 0);
         CHECK(name->at.y + 0.38 * name->size <= pane.height);
-      }
-      if (const TextItem* eye = text_with(list, "EYE"); eye != nullptr)
-        CHECK(eye->at.y + 0.38 * eye->size <= pane.height);
+        return true;
+      };
+      for (const Light& light : state.scene().lights) named += is_whole(light.name);
+      eyes += is_whole("EYE");
     }
   }
+  CHECK(named > 50);
+  CHECK(eyes > 50);
 }
 
 TEST_CASE("where nothing is finite, EYE, SCREEN and the floor that it looks at are in view") {

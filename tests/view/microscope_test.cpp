@@ -180,21 +180,32 @@ TEST_CASE("naive and robust marks differ in shape, and what is out of sight is p
 TEST_CASE("in a pane narrower than its words they stand in two lines, whole, in every language") {
   constexpr Viewport narrow{208, 170};
   State state = walking("classic", false);
-  for (const Language language : all_languages())
+  for (const Language language : all_languages()) {
+    int of_two = 0;
     for (const double part : {0.2, 0.4, 1.0}) {
       state.appearance.language = language;
       update(state, action::Magnify{part});
       const auto seen = find(state, [](const Specimen& s) { return s.robust && s.naive; });
       REQUIRE(seen);
-      for (const DisplayItem& item : microscope_view(state, *seen, narrow)) {
+      const TextItem* before = nullptr;
+      const DisplayList list = microscope_view(state, *seen, narrow);
+      for (const DisplayItem& item : list) {
         const auto* words = std::get_if<TextItem>(&item.shape);
         if (words == nullptr || words->anchor != TextAnchor::middle) continue;
+        of_two += before != nullptr && before->at.x == words->at.x &&
+                  std::abs(words->at.y - before->at.y - words->size) < 1e-6;
+        before = words;
         INFO(language.code() << ", " << part << ": " << words->text);
         const double half = 0.36 * text_width(words->text, words->size);  // text_width() is generous
         CHECK(words->at.x - half >= 0);
         CHECK(words->at.x + half <= narrow.width);
+        CHECK(words->at.y - 0.38 * words->size >= 0);
+        CHECK(words->at.y + 0.38 * words->size <= narrow.height);
       }
     }
+    INFO(language.code());
+    CHECK(of_two > 0);
+  }
 }
 
 TEST_CASE("acne is called acne, and robust numerics are said to leave") {

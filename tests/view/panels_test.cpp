@@ -140,10 +140,10 @@ TEST_CASE("the tree is that of the pixel's rays") {
       REQUIRE(node.formed == ray.formed);
       REQUIRE(node.future == (ray.formed_at > position));
       REQUIRE(node.known == (ray.formed_at <= position && ray.found_at <= position));
-      REQUIRE(node.label.empty() == (!node.known || ray.ending == Ending::hit ? node.label.empty() : false));
-      if (node.known) REQUIRE_FALSE(node.label.empty());
-      if (node.known) REQUIRE_FALSE(node.symbol.empty());
-      if (node.future) REQUIRE(node.throughput.empty());
+      REQUIRE(node.label.empty() != node.known);
+      REQUIRE(node.symbol.empty() != node.known);
+      REQUIRE(node.ending == (node.known ? std::optional(ray.ending) : std::nullopt));
+      REQUIRE(node.throughput.empty() == node.future);
       if (node.parent < 0) {
         REQUIRE(node.kind == RayKind::primary);
         REQUIRE(node.y == 0);
