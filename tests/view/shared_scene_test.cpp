@@ -81,5 +81,5 @@ TEST_CASE("a press copies no scene, only the first movement of something does") 
   CHECK(*state.plan.drag->scene == before);
   update(state, action::PointerReleased{from + Vec2d(50, 0)});
   REQUIRE(state.document.undo.size() == 1);
-  CHECK(std::get<Scene>(state.document.undo.back()) == before);
+  CHECK(std::get<Scene>(*state.document.undo.back()) == before);
 }
