@@ -90,8 +90,8 @@ export class Visit {
     });
   }
   // Waits until what is reported is as `is` wants it.
-  async until(is, what = String(is)) {
-    const last = Date.now() + 180000; // a machine may be busy
+  async until(is, what = String(is), most = 180000) { // milliseconds: a machine may be busy
+    const last = Date.now() + most;
     for (;;) {
       const report = await this.report();
       if (report && is(report)) return report;
