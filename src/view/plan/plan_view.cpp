@@ -36,8 +36,8 @@ std::optional<Bounds<double>> extent_of(const Object& object) {
 
 /// Adds the objects to a box. A ground or a fence that would make all others tiny counts by its nearest point.
 void include_objects(const Scene& scene, Bounds<double>& box) {
-  constexpr double vast = 4;          // times all else together
-  constexpr double vast_alone = 100;  // where all else is eye, screen and lights
+  constexpr double vast = 4;           // times all else together
+  constexpr double vast_alone = 1000;  // where all else is eye, screen and lights
   constexpr std::size_t most = 4;
   std::vector<Bounds<double>> largest;  // in falling order
   bool others = false;
