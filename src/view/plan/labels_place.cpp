@@ -40,14 +40,15 @@ std::optional<Filled> filled(const Shape2d& shape) {
 }
 
 /// Whether a place lies on a body: first a look at its box, for an outline may have many corners.
-bool holds(const DrawnBody& body, const Vec2d& at) { return body.box.meets(at, at) && covers(body.item, at); }
+bool holds(const DrawnBody& body, const Vec2d& at) { return body.box.holds(at) && covers(body.item, at); }
+
+constexpr int columns = 8, rows = 2, samples = (columns + 1) * (rows + 1);  // of a label's box
 
 /// Fraction of a label's box that a body covers, by samples: of all of it, or, of a body that could slip through
-/// between these, of what the two boxes share.
-double covered(const DrawnBody& body, const PixelRect& label) {
+/// between these, of what the two boxes share. Not more than `most` of them are counted.
+double covered(const DrawnBody& body, const PixelRect& label, int most = samples) {
   const double shared = body.box.overlap(label);
   if (shared <= 0) return 0;
-  constexpr int columns = 8, rows = 2;
   const Vec2d whole = label.max - label.min, own = body.box.max - body.box.min;
   const bool is_small = own.x < 2 * whole.x / columns || own.y < 2 * whole.y / rows;
   const PixelRect part = is_small
@@ -56,19 +57,18 @@ double covered(const DrawnBody& body, const PixelRect& label) {
                              : label;
   const Vec2d size = part.max - part.min;
   int inside = 0;
-  for (int i = 0; i <= columns; ++i)
-    for (int j = 0; j <= rows; ++j) {
+  for (int i = 0; i <= columns && inside < most; ++i)
+    for (int j = 0; j <= rows && inside < most; ++j) {
       const Vec2d sample = part.min + Vec2d(size.x * i / columns, size.y * j / rows);
       inside += holds(body, sample) ? 1 : 0;
     }
-  return static_cast<double>(inside) / ((columns + 1) * (rows + 1)) * (size.x * size.y) / (whole.x * whole.y);
+  return static_cast<double>(inside) / samples * (size.x * size.y) / (whole.x * whole.y);
 }
 
 /// Distance in pixels from a label's box to a body's drawing, 0 if they touch; any value above `most` if it exceeds
 /// that.
 double distance_to_box(const DrawnBody& body, const PixelRect& label, double most) {
   if (const double least = apart(body.box, label); least > most) return least;
-  constexpr int columns = 8;
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i <= columns; ++i)
     for (const double y : {label.min.y, (label.min.y + label.max.y) / 2, label.max.y})
@@ -97,14 +97,15 @@ bool is_ground(const Labelled& thing, const DrawnBody& body) {
   return around && (larger || same) && holds(body, thing.at);
 }
 
-/// `on_ground`: whether what a name may lie on counts too.
+/// `left_out`: of each body, whether it does not count unless it is the thing's own; none: all count.
 Distances distances(const std::vector<DrawnBody>& bodies, const Labelled& thing, const PixelRect& label, double crowded,
-                    bool on_ground = false) {
+                    const std::vector<bool>& left_out = {}) {
   Distances all;
   if (thing.body) all.own = std::numeric_limits<double>::infinity();
-  for (const DrawnBody& body : bodies) {
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const DrawnBody& body = bodies[i];
     const bool is_own = thing.body && body.item.target == thing.body;
-    if (!is_own && !on_ground && is_ground(thing, body)) continue;
+    if (!is_own && !left_out.empty() && left_out[i]) continue;
     double& least = is_own ? all.own : all.other;
     least = std::min(least, distance_to_box(body, label, is_own ? least : std::min(least, crowded)));
   }
@@ -129,7 +130,7 @@ std::array<Vec2d, 2> line_to(const DrawnBody& body, const Vec2d& middle, const P
 /// Whether a name needs a leader line to its thing: it is far away, or another body is nearly as near as its own.
 bool is_ambiguous(const std::vector<DrawnBody>& bodies, const Labelled& thing, const PixelRect& label, double unit) {
   if (!thing.body) return apart(box_of(thing.at, thing.half), label) > 14 * unit;
-  const Distances away = distances(bodies, thing, label, 60 * unit, true);
+  const Distances away = distances(bodies, thing, label, 60 * unit);
   // Letters are a little narrower than their box.
   return away.own > 14 * unit || away.other <= 1.5 * away.own + 2 * unit;
 }
@@ -175,7 +176,10 @@ class Places {
         neighbours_(std::move(neighbours)),
         unit_(painter.sizes.unit),
         letterings_(letterings(thing.text, painter.sizes.text)),
-        area_(area(letterings_.front())) {}
+        area_(area(letterings_.front())) {
+    ground_.reserve(bodies.size());
+    for (const DrawnBody& body : bodies) ground_.push_back(is_ground(thing, body));
+  }
 
   /// Its place on its own body, if it fits: in its middle, or, on a ground, where nothing stands.
   [[nodiscard]] LabelPlace on_body() {
@@ -239,6 +243,11 @@ class Places {
       if (body.item.target == thing_.body) most = std::max(most, covered(body, label));
     return most;
   }
+  [[nodiscard]] bool is_off_own(const PixelRect& label) const {
+    return std::none_of(bodies_.begin(), bodies_.end(), [&](const DrawnBody& body) {
+      return body.item.target == thing_.body && covered(body, label, 1) > 0;
+    });
+  }
 
   /// Its area outside of the pane, on symbols and handles, and on other names.
   [[nodiscard]] double blocked_at(const PixelRect& box, double own_area) const {
@@ -250,12 +259,16 @@ class Places {
     return blocked;
   }
 
+  [[nodiscard]] static double cost_of_blocked(const LabelPlace& place) {
+    return 8 * place.blocked * area(place.letters);
+  }
+
   [[nodiscard]] double hidden_at(const LabelPlace& place) const {
     const PixelRect box = place.box();
     const double own_area = area(place.letters);
-    double hidden = 8 * place.blocked * own_area;
-    for (const DrawnBody& body : bodies_)
-      if (!is_ground(thing_, body) || (!place.on_body && body.item.target == thing_.body)) {
+    double hidden = cost_of_blocked(place);
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+      if (const DrawnBody& body = bodies_[i]; !ground_[i] || (!place.on_body && body.item.target == thing_.body)) {
         hidden += 1.5 * own_area * covered(body, box);
         // A small thing covers little of a name, but the name may hide all of it.
         const Vec2d size = body.box.max - body.box.min;
@@ -268,7 +281,7 @@ class Places {
   /// another is near at all.
   [[nodiscard]] double mistakable(const PixelRect& label) const {
     const double crowded = 60 * unit_;
-    const Distances away = distances(bodies_, thing_, label, crowded);
+    const Distances away = distances(bodies_, thing_, label, crowded, ground_);
     const double enough = 2 * away.own + 4 * unit_;
     return std::max(away.other < enough ? 0.9 * (1 - away.other / enough) : 0.0,
                     0.3 * std::max(0.0, 1 - away.other / crowded));
@@ -277,7 +290,7 @@ class Places {
   /// The same at the end of a line, which is unambiguous unless the name almost touches another body.
   [[nodiscard]] double touching(const PixelRect& label) const {
     const double near = 12 * unit_;
-    return 0.5 * std::max(0.0, 1 - distances(bodies_, thing_, label, near).other / near);
+    return 0.5 * std::max(0.0, 1 - distances(bodies_, thing_, label, near, ground_).other / near);
   }
 
   /// Whether its leader line crosses another body, which it would then seem to name.
@@ -286,10 +299,10 @@ class Places {
     if (!line) return false;
     const auto [from, to] = *line;
     constexpr int steps = 12;
-    for (const DrawnBody& body : bodies_) {
-      if (!body.box.meets(from, to) || is_ground(thing_, body)) continue;
+    for (std::size_t k = 0; k < bodies_.size(); ++k) {
+      if (ground_[k] || !bodies_[k].box.meets(from, to)) continue;
       for (int i = 0; i < steps; ++i)
-        if (holds(body, from + static_cast<double>(i) / steps * (to - from))) return true;
+        if (holds(bodies_[k], from + static_cast<double>(i) / steps * (to - from))) return true;
     }
     return false;
   }
@@ -338,11 +351,15 @@ class Places {
 
   void consider(LabelPlace place, double extra_cost, bool led = false) {
     place.blocked = blocked_at(place.box(), area(place.letters)) / area(place.letters);
+    // Most places are lost by what blocks them alone.
+    place.cost = cost_of_blocked(place) + extra_cost;
+    bool serves = is_shown(thing_, place);
+    const auto loses = [&] { return place.cost >= best_.cost && (!serves || place.cost >= best_shown_.cost); };
+    if (loses()) return;
     const double hidden = hidden_at(place);
     place.hidden = hidden / area(place.letters);
     place.cost = hidden + extra_cost;
-    const bool serves = is_shown(thing_, place);
-    const auto loses = [&] { return place.cost >= best_.cost && (!serves || place.cost >= best_shown_.cost); };
+    serves = is_shown(thing_, place);
     if (loses()) return;
     if (!place.on_body) place.cost += lined(place.box());
     if (!place.on_body) place.cost += area_ * (led ? touching(place.box()) : mistakable(place.box()));
@@ -367,7 +384,7 @@ class Places {
     constexpr double most = 1.5;
     for (int i = 0; i < most * steps; ++i) {
       const double t = static_cast<double>(i) / steps;
-      if (covers_own(box_of(thing_.at + t * way, half)) == 0) return t;
+      if (is_off_own(box_of(thing_.at + t * way, half))) return t;
     }
     return most;
   }
@@ -407,10 +424,10 @@ class Places {
     const Vec2d low = painter_.pane().min + letters.half + 2 * unit_,
                 high = painter_.pane().max - letters.half - 2 * unit_;
     if (low.x > high.x || low.y > high.y) return;
-    constexpr int columns = 16, rows = 12;
-    for (int row = 0; row <= rows; ++row)
-      for (int column = 0; column <= columns; ++column) {
-        const Vec2d at = low + Vec2d((high.x - low.x) * column / columns, (high.y - low.y) * row / rows);
+    constexpr int across = 16, down = 12;
+    for (int row = 0; row <= down; ++row)
+      for (int column = 0; column <= across; ++column) {
+        const Vec2d at = low + Vec2d((high.x - low.x) * column / across, (high.y - low.y) * row / down);
         const double away = apart(box_of(at, letters.half), box_of(thing_.at, thing_.half)) / unit_;
         consider({at, letters}, (0.1 + 0.006 * away) * area_, true);
       }
@@ -423,7 +440,8 @@ class Places {
   Neighbours neighbours_;
   double unit_;
   std::vector<NameLines> letterings_;
-  double area_;  ///< of the name in one line, in pixels: the unit of costs
+  std::vector<bool> ground_{};  ///< of each body
+  double area_;                 ///< of the name in one line, in pixels: the unit of costs
   LabelPlace best_;
   LabelPlace best_shown_;  ///< of those where it may be shown, and hides next to nothing
 };

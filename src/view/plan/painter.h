@@ -15,6 +15,9 @@ namespace raywalk {
 /// An axis-parallel rectangle in pixels.
 struct PixelRect {
   Vec2d min, max;
+  [[nodiscard]] bool holds(const Vec2d& at) const {
+    return at.x >= min.x && at.x <= max.x && at.y >= min.y && at.y <= max.y;
+  }
   [[nodiscard]] double overlap(const PixelRect& other) const;          ///< area in common
   [[nodiscard]] bool meets(const Vec2d& from, const Vec2d& to) const;  ///< a segment
   friend bool operator==(const PixelRect&, const PixelRect&) = default;
