@@ -4,9 +4,9 @@
 #include "gui/panes.h"
 #include "gui/widgets.h"
 #include "view/text/choice_text.h"
+#include "view/text/text.h"
 
 #include <algorithm>
-#include <cctype>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -24,13 +24,6 @@ struct EffectWords {
   std::string depth, all;
 };
 
-/// With a capital at its beginning.
-std::string as_title(std::string_view word) {
-  std::string title(word);
-  if (!title.empty()) title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
-  return title;
-}
-
 EffectWords effect_words(const Ui& ui) {
   const EffectsRoom& room = ui.state.effects;
   const auto with_rays = [&](const std::string& name, int rays) {
@@ -39,7 +32,7 @@ EffectWords effect_words(const Ui& ui) {
   EffectWords words;
   for (const Effect effect : values_of<Effect>)
     if (room.rays && room.rays->offered[number_of(effect)])
-      words.effects.emplace_back(effect, with_rays(as_title(text(effect, ui.state.appearance.language)),
+      words.effects.emplace_back(effect, with_rays(capitalised(std::string(text(effect, ui.state.appearance.language))),
                                                    room.rays->brought[number_of(effect)]));
   const int depth = room.depth.value_or(ui.state.scene().limits.depth);
   words.depth = with_rays(ui.say("effects.depth", {{"depth", depth}}), room.rays ? room.rays->by_depth : 0);

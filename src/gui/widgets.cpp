@@ -3,6 +3,7 @@
 #include "gui/broken_lines.h"
 #include "gui/painter.h"
 #include "view/plan/pictogram.h"
+#include "view/text/text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,8 +41,7 @@ Colour ground_of(const Shades& shades, Look look, bool is_chosen, bool hovered, 
 
 std::string hint_of(const Command& command, Language language) {
   const std::string key = command_key(command, language);
-  std::string hint = command_hint(command, language);
-  if (!hint.empty()) hint[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(hint[0])));
+  const std::string hint = capitalised(command_hint(command, language));
   return key.empty() ? hint : hint + "  (" + key + ")";
 }
 

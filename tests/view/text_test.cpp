@@ -31,6 +31,16 @@ TEST_CASE("arguments stand where their numbers are") {
   CHECK_THAT(fill("question.unsaved_open", in_english, {{"file", "a"}, {"other", "{0}"}}), contains("opening {0}?"));
 }
 
+TEST_CASE("a title begins with a capital, also where its letter has an accent") {
+  CHECK(capitalised("shadows") == "Shadows");
+  CHECK(capitalised("árbol") == "Árbol");
+  CHECK(capitalised("índice") == "Índice");
+  CHECK(capitalised("EYE") == "EYE");
+  CHECK(capitalised("÷") == "÷");
+  CHECK(capitalised("3-D") == "3-D");
+  CHECK(capitalised("").empty());
+}
+
 TEST_CASE("numbers are short") {
   CHECK(number_text(0, in_english) == "0");
   CHECK(number_text(-0.0, in_english) == "0");

@@ -1,6 +1,7 @@
 #include "view/action.h"
 #include "view/band/band.h"
 #include "view/text/text.h"
+#include "view/walk/status.h"
 #include "view/walk/walk.h"
 
 #include <algorithm>
@@ -29,13 +30,6 @@ Cells cells_of(const State& state, double width, double height, double unit) {
 Colour readable_over(Colour shade) {
   const int grey = 299 * shade.r + 587 * shade.g + 114 * shade.b;
   return grey > 128'000 ? Colour{0, 0, 0} : Colour{255, 255, 255};
-}
-
-/// What is known of a cell, in words.
-std::string cell_words(const State& state, int cell, const std::optional<Rgbd>& shade) {
-  const Language language = state.appearance.language;
-  return shade ? fill("pointed.cell_with_shade", language, {{"cell", cell}, {"colour", colour_text(*shade, language)}})
-               : fill("pointed.cell", language, {{"cell", cell}});
 }
 
 }  // namespace
@@ -87,7 +81,7 @@ DisplayList band_view(const State& state, double width, double height, double un
   const std::string words = told < 0
                                 ? std::string(text(state.walk.mode == Mode::move ? "band.in_move" : "band.in_trace",
                                                    state.appearance.language))
-                                : cell_words(state, told, shades[static_cast<std::size_t>(told)]);
+                                : cell_text(state, told, shades[static_cast<std::size_t>(told)]);
   list.push_back({TextItem{{cells.left, height - 12 * unit},
                            words,
                            14 * unit,

@@ -116,8 +116,7 @@ MicroscopeTable microscope_table(const State& state, const Specimen& specimen) {
     return reading ? object_name(state, reading->object) : std::string(text("microscope.nothing", language));
   };
   MicroscopeTable table;
-  std::string ray(text(specimen.kind, language));
-  if (!ray.empty()) ray[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(ray[0])));
+  const std::string ray = capitalised(std::string(text(specimen.kind, language)));
   if (specimen.passed >= 0) {
     const std::string passed = object_name(state, specimen.passed);
     table.title = fill("microscope.title_passed", language, {{"ray", ray}, {"object", passed}});

@@ -89,10 +89,6 @@ class PanelWords {
   }
   [[nodiscard]] std::string shapes(int count) const { return say("structure.shapes", {{"count", count}}); }
   [[nodiscard]] std::string number(double value) const { return number_text(value, language_); }
-  [[nodiscard]] static std::string capital(std::string words) {
-    if (!words.empty() && words[0] >= 'a' && words[0] <= 'z') words[0] = static_cast<char>(words[0] - 'a' + 'A');
-    return words;
-  }
   [[nodiscard]] bool to_light() const { return sitting_.searches->kind == RayKind::shadow; }
 
   void search() {
@@ -241,21 +237,21 @@ class PanelWords {
     const std::string held = shapes(step.items);
     switch (step.kind) {
       case BuildStep::Kind::split: {
-        if (step.axis < 0) return capital(say("structure.halved", {{"shapes", held}}));
+        if (step.axis < 0) return capitalised(say("structure.halved", {{"shapes", held}}));
         const std::string axis(1, "xyz"[step.axis]);
         const std::string sides[]{std::to_string(step.parts[0].items), std::to_string(step.parts[1].items)};
-        std::string sentence = capital(say("structure.split", {{"shapes", held},
-                                                               {"axis", axis},
-                                                               {"place", number(step.plane)},
-                                                               {"one_side", sides[0]},
-                                                               {"other_side", sides[1]}}));
+        std::string sentence = capitalised(say("structure.split", {{"shapes", held},
+                                                                   {"axis", axis},
+                                                                   {"place", number(step.plane)},
+                                                                   {"one_side", sides[0]},
+                                                                   {"other_side", sides[1]}}));
         if (step.leaf_cost > 0)
           sentence += " " + say("structure.split_cost",
                                 {{"with", number(step.split_cost)}, {"without", number(step.leaf_cost)}});
         return sentence;
       }
       case BuildStep::Kind::eight:
-        return capital(say("structure.eight", {{"shapes", held}, {"parts", step.parts.size()}}));
+        return capitalised(say("structure.eight", {{"shapes", held}, {"parts", step.parts.size()}}));
       case BuildStep::Kind::leaf:
         return of_leaf(step, held);
       case BuildStep::Kind::joined:

@@ -74,6 +74,19 @@ std::string_view symbol(Ending ending) {
   return "";
 }
 
+std::string capitalised(std::string words) {
+  if (words.empty()) return words;
+  const auto is_in = [](char c, unsigned char first, unsigned char last) {
+    return static_cast<unsigned char>(c) >= first && static_cast<unsigned char>(c) <= last;
+  };
+  constexpr char to_capital = 'A' - 'a';
+  if (is_in(words[0], 'a', 'z')) words[0] = static_cast<char>(words[0] + to_capital);
+  // In UTF-8 the letters from U+00E0 to U+00FE have their capitals as far before them; U+00F7 is a sign.
+  if (words[0] == '\xC3' && words.size() > 1 && is_in(words[1], 0xA0, 0xBE) && words[1] != '\xB7')
+    words[1] = static_cast<char>(words[1] + to_capital);
+  return words;
+}
+
 std::string typeset_number(std::string digits, Language language) {
   constexpr std::string_view minus = "\u2212";
   std::replace(digits.begin(), digits.end(), '.', language.decimal_mark());

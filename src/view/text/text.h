@@ -20,6 +20,9 @@ namespace raywalk {
 [[nodiscard]] std::string_view text(Procedure procedure, Language language);  ///< its title
 [[nodiscard]] std::string_view symbol(Ending ending);                         ///< one or two characters for the tree
 
+/// With a capital at its beginning, as a title or a sentence has it.
+[[nodiscard]] std::string capitalised(std::string words);
+
 // Numbers in the format of the language.
 /// Printed digits: with the language's decimal separator and a true minus sign.
 [[nodiscard]] std::string typeset_number(std::string digits, Language language);

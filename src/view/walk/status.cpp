@@ -57,13 +57,6 @@ std::string short_name(const State& state, const Target& target) {
                                                                                                 : "object.screen");
 }
 
-std::string cell_text(const State& state, int cell) {
-  if (const std::optional<Rgbd> shade = shades_shown(state)[static_cast<std::size_t>(cell)])
-    return fill("pointed.cell_with_shade", state.appearance.language,
-                {{"cell", cell}, {"colour", colour_text(*shade, state.appearance.language)}});
-  return fill("pointed.cell", state.appearance.language, {{"cell", cell}});
-}
-
 /// Why the plan does not show the scene well, and how to fix that; empty if it does.
 std::string view_hint(const State& state) {
   constexpr double tiny = 0.15;  // of the size that fits
@@ -90,6 +83,12 @@ std::string move_sentence(const State& state) {
 
 }  // namespace
 
+std::string cell_text(const State& state, int cell, const std::optional<Rgbd>& shade) {
+  const Language language = state.appearance.language;
+  return shade ? fill("pointed.cell_with_shade", language, {{"cell", cell}, {"colour", colour_text(*shade, language)}})
+               : fill("pointed.cell", language, {{"cell", cell}});
+}
+
 std::string target_text(const State& state, const Target& target) {
   if (!exists(state, target)) return {};
   const bool moving = state.walk.mode == Mode::move;
@@ -105,7 +104,8 @@ std::string target_text(const State& state, const Target& target) {
     case TargetKind::screen_distance:
       return str(state, "drag.screen_distance");
     case TargetKind::cell:
-      return moving ? str(state, "drag.screen_distance") : cell_text(state, target.index);
+      return moving ? str(state, "drag.screen_distance")
+                    : cell_text(state, target.index, shades_shown(state)[static_cast<std::size_t>(target.index)]);
     case TargetKind::object:
     case TargetKind::light: {
       const std::string name =

@@ -12,6 +12,9 @@ namespace raywalk {
 /// first.
 [[nodiscard]] std::string sentence(const State& state);
 
+/// A cell of SCREEN, with its shade if that is known.
+[[nodiscard]] std::string cell_text(const State& state, int cell, const std::optional<Rgbd>& shade);
+
 /// What has happened up to this position.
 struct Counts {
   int position = 0, steps = 0;
