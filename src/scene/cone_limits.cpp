@@ -22,6 +22,7 @@ bool is_convex(const Prism<double>& prism) {
 std::string why_not_covered(const Object& object) {
   if (!object.motion.empty()) return "moves";
   if (!object.transform.empty()) return "is transformed";
+  if (object.material.normal == ShadingNormal::fixed) return "has a fixed normal";
   return std::visit(
       Overloaded{
           [](const Sphere<double>&) { return ""; },

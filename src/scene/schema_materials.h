@@ -137,7 +137,9 @@ void describe(Fields& f, Material& material) {
         "last.");
   f.key("shadow", material.shadow, shadow_kinds, "Whether lights shine through, weakened by transmission (filtered).");
   f.key("normal", material.normal, shading_normals,
-        "Whether lights shine on the side that is seen, or on the front only (fixed).");
+        "Whether lights shine on the side that is seen, or on the front only (fixed); paths, photons and radiosity do "
+        "not "
+        "ask.");
   f.check("normal", material.normal == ShadingNormal::facing || !material.transmits(),
           "a fixed normal does not go with transmission (expected \"facing\")",
           "light is refracted at the side that it comes from");

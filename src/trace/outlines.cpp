@@ -22,6 +22,7 @@ std::string why_no_outline(const Object& object) {
   if (!crosses_plan(box_of(object))) return "";
   if (!object.motion.empty()) return "moves";
   if (!object.transform.empty()) return "is transformed";
+  if (object.material.normal == ShadingNormal::fixed) return "has a fixed normal";
   return std::visit(Overloaded{
                         [](const Sphere<double>&) { return ""; },
                         [](const Plane<double>&) { return ""; },

@@ -47,19 +47,21 @@ void RayGenerator<T>::draw_ahead(const Pixel& pixel, PixelDraws& draws) const {
   if (lens_radius_ > 0) draws.lens = SamplePairs(sampler_, key(pixel, Effect::depth_of_field), strata_);
 }
 
-/// The position of a sample without random numbers: the first ones in a k x k grid, the rest in one row. The grid is
-/// filled so that any k consecutive samples lie in k columns, and about evenly in the rows: adaptive sampling may stop
-/// after some of them, which then represent the pixel.
+int cell_of_sample(int sample, int edge) {
+  // One column back and about 0.618 of the rows on, by the golden ratio: coprime to the number of cells, since coprime
+  // to k.
+  const int stride = edge * static_cast<int>(std::lround(0.6180339887498949 * edge)) - 1;
+  return static_cast<int>(static_cast<std::int64_t>(sample) * stride % (edge * edge));
+}
+
+/// The position of a sample without random numbers: the first ones in a k x k grid, the rest in one row.
 template <class T>
 Vec2<T> RayGenerator<T>::fixed_place(int sample) const {
   int edge = 1;
   while ((edge + 1) * (edge + 1) <= sampling_.per_pixel) ++edge;
   const int square = edge * edge, left_over = sampling_.per_pixel - square;
   if (sample >= square) return {(static_cast<T>(sample - square) + T(0.5)) / static_cast<T>(left_over), T(0.5)};
-  // One column back and about 0.618 of the rows on, by the golden ratio: coprime to the number of cells, since coprime
-  // to k.
-  const int stride = edge * static_cast<int>(std::lround(0.6180339887498949 * edge)) - 1;
-  const auto cell = static_cast<int>(static_cast<std::int64_t>(sample) * stride % square);
+  const int cell = cell_of_sample(sample, edge);
   return {(static_cast<T>(cell % edge) + T(0.5)) / static_cast<T>(edge),
           (static_cast<T>(cell / edge) + T(0.5)) / static_cast<T>(edge)};
 }

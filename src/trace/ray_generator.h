@@ -33,6 +33,11 @@ struct Sampling {
   friend bool operator==(const Sampling&, const Sampling&) = default;
 };
 
+/// Which of a pixel's edge x edge cells, row by row, a sample without random numbers takes, 0 <= sample < edge * edge.
+/// Any `edge` consecutive samples lie in all columns, and about evenly in the rows: adaptive sampling may stop after
+/// some of them, which then represent the pixel.
+[[nodiscard]] int cell_of_sample(int sample, int edge);
+
 /// Forms camera rays for an image, or for a strip of it: at a point of the pixel, through a point of the lens, at a
 /// time.
 ///

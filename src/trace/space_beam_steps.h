@@ -55,7 +55,7 @@ auto SpaceBeamTracer<T, Watcher>::form_beam(const Pixel& pixel) -> Beam {
   int edge = 1;
   while (edge * edge < samples) ++edge;
   if (edge * edge != samples) edge = 1;
-  const int cell = pixel.sample % (edge * edge);
+  const int cell = cell_of_sample(pixel.sample % (edge * edge), edge);
   const double side = 1.0 / edge;
   const Vec2d from{pixel.column + side * (cell % edge), pixel.row + side * (cell / edge)};
   Beam beam = beam_between(from, {from.x + side, from.y + side});
@@ -193,8 +193,9 @@ void SpaceBeamTracer<T, Watcher>::meet(Part& part, const Beam& beam, const Vec2d
               camera_.shutter_open()};
   if (part.face < 0) return;
   const BeamFace& face = faces_[part.face];
-  // Towards the horizon it may be as far as a number says.
-  const double reached = 1 / std::max(part.nearness.at(place), 1e-12);
+  // Towards the horizon it may be farther than a number says.
+  const double reached =
+      1 / std::max({part.nearness.at(place), part.nearness.slack, std::numeric_limits<double>::min()});
   const Hit<T> hit{static_cast<T>((reached - start) * size), face.primitive, face.part};
   const detail::MiddleOfPart<T> ray{part.ray, part.number, beam.medium};
   detail::PatternOfPart<T> pattern{world_, part.has_mean};

@@ -129,7 +129,10 @@ template <class T>
 Rgb<T> TexturePyramid::ewa_of_level(int number, T u, T v, const Footprint<T>& footprint) const {
   static const GaussianTable gaussian;
   const Image& pixels = level(number);
-  const Vec2d dx = in_pixels(pixels, Vec2d(footprint.x)), dy = in_pixels(pixels, Vec2d(footprint.y));
+  Vec2d dx = in_pixels(pixels, Vec2d(footprint.x)), dy = in_pixels(pixels, Vec2d(footprint.y));
+  // What is one pixel wide or high is the same everywhere along that, and levels make it no smaller.
+  if (pixels.width == 1) dx.x = dy.x = 0;
+  if (pixels.height == 1) dx.y = dy.y = 0;
   const double x = static_cast<double>(u - std::floor(u)) * pixels.width - 0.5;
   const double y = static_cast<double>(1 - (v - std::floor(v))) * pixels.height - 0.5;  // rows count downwards
   double A = dx.y * dx.y + dy.y * dy.y + 1, B = 2 * (dx.x * dx.y + dy.x * dy.y), C = dx.x * dx.x + dy.x * dy.x + 1;

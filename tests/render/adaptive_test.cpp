@@ -125,6 +125,25 @@ TEST_CASE("what is not drawn stands for the whole pixel too when sampling stops 
     }
 }
 
+TEST_CASE("beams through some of a pixel's cells stand for all of it when sampling stops early") {
+  for (const Vec3d& up : {Vec3d(0, 1, 0), Vec3d(0, 0, 1)})
+    for (const int samples : {64, 256}) {
+      Scene scene = edge_scene(0.02);
+      scene.camera.up = up;
+      scene.render.integrator = Integrator::beams;
+      RenderSettings settings{ImageSize{9, 9}, Sampling{samples, 0}};
+      const auto all = render(scene, settings).value();
+      settings.tolerance = 0.05;
+      const auto early = render(scene, settings).value();
+      CAPTURE(samples, up.y);
+      for (int row = 0; row < 9; ++row)
+        for (int column = 0; column < 9; ++column) {
+          const double whole = shown(all.film_of<double>().at(column, row).x);
+          CHECK(std::abs(shown(early.film_of<double>().at(column, row).x) - whole) <= 0.05);
+        }
+    }
+}
+
 TEST_CASE("a tolerance that nothing meets takes all samples, with the same bits") {
   Scene scene = edge_scene(0.3);
   RenderSettings settings{ImageSize{9, 9}, Sampling{50, 3}};

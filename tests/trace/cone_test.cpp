@@ -227,4 +227,7 @@ TEST_CASE("cones are refused where a shape's share is not known, by the object's
   scene.objects[1] = {"Turned", Box<double>{{0, 0, 0}, {1, 1, 1}}, Material{}};
   scene.objects[1].transform.push_back({Scale{{1, 2, 1}}});
   CHECK(why_no_cones(scene) == "Turned is transformed");
+  scene.objects[1] = {"Sided", Box<double>{{0, 0, 0}, {1, 1, 1}}, Material{}};
+  scene.objects[1].material.normal = ShadingNormal::fixed;
+  CHECK(why_no_cones(scene) == "Sided has a fixed normal");
 }

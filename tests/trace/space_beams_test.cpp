@@ -398,6 +398,26 @@ TEST_CASE("watching beams in space changes no bit, and tells of parts that are t
   CHECK(areas.size() > 36);
 }
 
+TEST_CASE("a scene looks alike by beams however large it is") {
+  const auto at_scale = [](double scale) {
+    Scene scene = empty_scene();
+    scene.camera.eye = {-6 * scale, 0, scale};
+    scene.lights = {{"Lamp", Rgbd(1.0), PointLight{{-3 * scale, 4 * scale, 6 * scale}, {}}}};
+    Material squares = matt(0.7);
+    squares.checker = Checker{{0.9, 0.9, 0.9}, {0.1, 0.1, 0.1}, scale};
+    scene.objects = {{"Floor", Plane<double>{{0, 0, -scale}, {0, 0, 1}}, squares},
+                     {"Box", Box<double>{{-scale, -scale, -scale}, {scale, scale, scale}}, matt(0.7)}};
+    return picture_of<double>(scene, 16, 12);
+  };
+  const auto small = at_scale(1);
+  for (const double scale : {0x1p-40, 0x1p37, 0x1p45}) {
+    CAPTURE(scale);
+    const auto scaled = at_scale(scale);
+    for (std::size_t i = 0; i < small.pixels.size(); ++i)
+      CHECK(scaled.pixels[i].x == Approx(small.pixels[i].x).epsilon(0).margin(1e-6));
+  }
+}
+
 TEST_CASE("beams through an empty scene see the background") {
   Scene scene = empty_scene();
   scene.background = {0.1, 0.2, 0.3};
@@ -411,6 +431,9 @@ TEST_CASE("what beams cannot follow is refused by name") {
   scene.objects[0].motion = {{0, {0, 0, 0}}, {1, {1, 0, 0}}};
   CHECK(why_no_space_beams(scene) == "Ball moves");
   scene.objects[0].motion.clear();
+  scene.objects[0].material.normal = ShadingNormal::fixed;
+  CHECK(why_no_space_beams(scene) == "Ball has a fixed normal");
+  scene.objects[0].material.normal = ShadingNormal::facing;
   scene.objects[0].shape = Quadric<double, QuadricKind::elliptic_paraboloid>{};
   CHECK(why_no_space_beams(scene) == "Ball is endless");
 }
