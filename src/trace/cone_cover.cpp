@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 namespace raywalk {
 
@@ -57,35 +58,59 @@ std::optional<double> reach_ball(const RayCone& cone, const ConeBall& ball, cons
   return t > 0 ? std::optional(t) : std::nullopt;
 }
 
+/// Whether a ray goes towards a ball, and not away from it.
+bool approaches(const RayCone& cone, const ConeBall& ball, const Vec2d& place) {
+  return dot(cone.direction(place), ball.centre - cone.start(place)) > 0;
+}
+
+/// Of the rays along a line, those from -1 to `low` and from `high` to 1 are on lines that meet the ball: but of one
+/// side or both it may lie behind where they start. Where a cone opens only one side goes towards it.
+void cover_beside_gap(ConePart& part, const ConeBall& ball, const RayCone& cone, const Vec2d& direction, double low,
+                      double high) {
+  double most = 0;
+  part.cover = 0;
+  for (const auto& [begin, end] : {std::pair(-1.0, std::min(low, 1.0)), std::pair(std::max(high, -1.0), 1.0)}) {
+    if (!(begin < end) || !approaches(cone, ball, (begin + end) / 2 * direction)) continue;
+    const double share = cone.flat ? (end - begin) / 2 : share_beyond(end == 1 ? begin : -end);
+    part.cover += share;
+    if (share > most) most = share, place_on(part, direction, begin, end);
+  }
+  part.cover = std::min(part.cover, 1.0);
+}
+
 void cover(std::vector<ConePart>& parts, const ConeBall& ball, const RayCone& cone, bool leaves) {
   const Vec3d to_centre = ball.centre - cone.origin;
   ConePart part;
   part.inside = leaves ? dot(cone.axis, to_centre) > 0 : length(to_centre) < ball.radius * (1 - 1e-12);
   if (leaves && !part.inside) return;
   if (!part.inside) {
-    if (!(dot(to_centre, cone.axis) > 0)) return;
+    // Wide cones meet balls whose centre is level with their start, or behind it: each ray has its own t.
     const auto [a, b, c, direction] = silhouette_of(cone, ball);
     const double discriminant = b * b - a * c;
-    // Without a root all of the line meets it, or nothing.
-    double begin = -1, end = 1;
-    part.cover = c <= 0 ? 1 : 0;
-    if (discriminant > 0 && a > 0) {
+    part.cover = c <= 0 ? 1 : 0;  // without a root all of the line meets it, or nothing
+    if (discriminant > 0) {
       const double root = std::sqrt(discriminant), sum = b < 0 ? b - root : b + root;
-      begin = b < 0 ? sum / a : c / sum, end = b < 0 ? c / sum : sum / a;
-      if (cone.flat)
-        part.cover = std::max(std::min(end, 1.0) - std::max(begin, -1.0), 0.0) / 2;
-      else
-        part.cover = share_of_disc(std::abs(begin + end) / 2, (end - begin) / 2);
-    } else if (discriminant > 0 && a < 0) {
-      // The cone comes to a point in or beside it: rays meet it on one side of a gap.
-      const double root = std::sqrt(discriminant);
-      const double low = std::clamp((b + root) / a, -1.0, 1.0), high = std::clamp((b - root) / a, -1.0, 1.0);
-      const bool below = low + 1 > 1 - high;
-      begin = below ? -1 : high, end = below ? low : 1;
-      part.cover = cone.flat ? (end - begin) / 2 : share_beyond(below ? -low : high);
+      // The far one is nowhere where a is 0: only the near one is an edge then.
+      const double near_one = c / sum, far_one = sum / a;
+      if (a > 0) {
+        const double begin = std::min(near_one, far_one), end = std::max(near_one, far_one);
+        place_on(part, direction, begin, end);
+        if (cone.flat)
+          part.cover = std::max(std::min(end, 1.0) - std::max(begin, -1.0), 0.0) / 2;
+        else if (end - begin < 1e8)
+          part.cover = share_of_disc(std::abs(begin + end) / 2, (end - begin) / 2);
+        else  // a straight edge, before rounding makes it a coarse one
+          part.cover = share_beyond(std::abs(begin) < std::abs(end) ? begin : -end);
+      } else if (a < 0) {
+        // The cone comes to a point in or beside it.
+        cover_beside_gap(part, ball, cone, direction, std::min(near_one, far_one), std::max(near_one, far_one));
+      } else if (b > 0) {
+        cover_beside_gap(part, ball, cone, direction, -1, near_one);
+      } else {
+        cover_beside_gap(part, ball, cone, direction, near_one, 1);
+      }
     }
     if (!(part.cover > least_share)) return;
-    place_on(part, direction, begin, end);
   }
   if (part.inside && leaves) part.cover = 1;
   const auto t = reach_ball(cone, ball, part.place, part.inside);
@@ -193,14 +218,29 @@ std::optional<Vec2d> middle_of(const std::vector<Vec2d>& polygon) {
   return plan(rest[0]) + sum / twice;
 }
 
-std::optional<ConePart> covered_by(const ConeFace& face, const RayCone& cone, double depth) {
+/// How far the cone's middle starts from a face's plane, on its outer side.
+double height_over(const ConeFace& face, const RayCone& cone) {
+  return dot(cone.origin - face.loops.front().front(), face.normal);
+}
+
+/// Which rays of a cone meet a face: all, or those that go into its solid or come out of it there.
+enum class Crossing { any, in, out };
+
+std::optional<ConePart> covered_by(const ConeFace& face, const RayCone& cone, Crossing crossing, double depth) {
+  // Rays cross a plane as seen from the point that they come from or go to, which is not where they start: of
+  // direction(u) the part along the normal is `across` / radius_at(depth of the plane), for all u.
+  const double across = cone.radius * dot(cone.axis, face.normal) - cone.spread * height_over(face, cone);
   ConePart part;
   part.part = face.part;
   part.cover = 0;
   double most = 0;
   bool outline = true;
   for (const std::vector<Vec3d>& loop : face.loops) {
-    for (const std::vector<Vec2d>& places : projected(cone, seen_from(cone, loop), depth)) {
+    const auto both = projected(cone, seen_from(cone, loop), depth);
+    for (const int side : {0, 1}) {
+      const std::vector<Vec2d>& places = both[static_cast<std::size_t>(side)];
+      const double outward = side == 0 ? across : -across;
+      if (crossing != Crossing::any && !(crossing == Crossing::in ? outward < 0 : outward > 0)) continue;
       if (places.size() < 2) continue;
       double share = 0;
       std::optional<Vec2d> middle;
@@ -232,18 +272,21 @@ std::optional<ConePart> covered_by(const ConeFace& face, const RayCone& cone, do
 
 void cover(std::vector<ConePart>& parts, const ConeFaces& body, const RayCone& cone, const ConeLeaves* leaves,
            double depth) {
-  const auto height = [&](const ConeFace& face) { return dot(cone.origin - face.loops.front().front(), face.normal); };
   const auto is_left = [&](const ConeFace& face) { return leaves != nullptr && face.part == leaves->part; };
+  // The cone's middle ray says where it starts. In a face's plane, as on it, by where it goes.
   bool inside = body.closed;
-  for (const ConeFace& face : body.faces)
-    inside = inside && (is_left(face) ? dot(cone.axis, face.normal) < 0 : height(face) < 0);
+  for (const ConeFace& face : body.faces) {
+    const double height = is_left(face) ? 0 : height_over(face, cone);
+    inside = inside && (height < 0 || (height == 0 && dot(cone.axis, face.normal) < 0));
+  }
   // From outside a convex solid is not met by what leaves it.
   if (leaves != nullptr && !inside) return;
   double sum = 0;
   const std::size_t first = parts.size();
+  const Crossing crossing = !body.closed ? Crossing::any : inside ? Crossing::out : Crossing::in;
   for (const ConeFace& face : body.faces) {
-    if (is_left(face) || (body.closed && !inside && !(height(face) > 0))) continue;
-    auto part = covered_by(face, cone, depth);
+    if (is_left(face)) continue;
+    auto part = covered_by(face, cone, crossing, depth);
     if (!part) continue;
     part->inside = inside;
     sum += part->cover;

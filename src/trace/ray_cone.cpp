@@ -17,9 +17,12 @@ RayCone cone_about(const Vec3d& origin, const Vec3d& axis, double radius, double
 
 RayCone part_of_cone(const RayCone& cone, const Vec2d& u, double size) {
   const Vec3d direction = cone.direction(u);
-  const double cosine = 1 / length(direction);
-  return cone_about(cone.start(u), cosine * direction, cone.radius * size * cosine,
-                    cone.spread * size * cosine * cosine, cone.flat);
+  // Ray u runs aslant: it gets to a depth later than the axis by 1 / cosine, and neighbours along the radius are nearer
+  // to it by cosine than they are in a plane across the axis. Those beside it are not; a round cone has the area of
+  // both.
+  const double cosine = 1 / length(direction), narrower = cone.flat ? cosine : std::sqrt(cosine);
+  return cone_about(cone.start(u), cosine * direction, cone.radius * size * narrower,
+                    cone.spread * size * cosine * narrower, cone.flat);
 }
 
 ConeWidth turned_out(ConeWidth width) {

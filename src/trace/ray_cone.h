@@ -37,8 +37,8 @@ struct RayCone {
 /// A cone about `axis`, of unit length.
 [[nodiscard]] RayCone cone_about(const Vec3d& origin, const Vec3d& axis, double radius, double spread, bool flat);
 
-/// The narrower cone of those rays that are not farther than `size` from u, about ray u. What it is far away is exact
-/// to first order.
+/// The narrower cone of those rays that are not farther than `size` from u, about ray u. Exact to first order: in a
+/// flat world its width, in space its area, for across an aslant ray they fill an ellipse.
 [[nodiscard]] RayCone part_of_cone(const RayCone& cone, const Vec2d& u, double size);
 
 /// How wide a cone is that arrives at a surface, or leaves it: radius and spread.

@@ -143,6 +143,96 @@ TEST_CASE("in space the share of one ball, box, prism or disc is how much of the
   }
 }
 
+TEST_CASE("a wide cone meets a ball whose centre is level with its start or behind it, and none that is all behind") {
+  int level = 0, crossed = 0;
+  for (int number = 0; number < 400; ++number) {
+    const auto at = [&](std::uint32_t dimension) { return unit(number, dimension); };
+    // Every other one converges, to a point among the balls.
+    const double start = 0.2 + 0.6 * at(1), spread = number % 2 == 0 ? 4 * at(0) : -start / (0.2 + 0.8 * at(0));
+    const RayCone cone = along_x(number % 4 == 0 ? 0 : start, spread, true);
+    const Vec3d centre{2 * at(2) - 1, 4 * at(3) - 2, 0};
+    const double radius = 0.1 + at(4);
+    // Rays that start in the ball are another thing.
+    if (length(Vec3d(centre.x, std::max(std::abs(centre.y) - cone.radius, 0.0), 0)) <= radius) continue;
+    const double share = covered(with(Sphere<double>{centre, radius}), cone);
+    constexpr int rays = 20000;
+    int met = 0;
+    for (int i = 0; i < rays; ++i) {
+      const Vec2d place{(2 * i + 1.0) / rays - 1, 0};
+      const Vec3d direction = normalize(cone.direction(place)), to = centre - cone.start(place);
+      if (length(to - dot(to, direction) * direction) < radius && dot(to, direction) > 0) ++met;
+    }
+    CAPTURE(number, centre.x, centre.y, radius, cone.radius, spread);
+    CHECK(share == Approx(static_cast<double>(met) / rays).margin(3.0 / rays));
+    level += met > 0 && centre.x <= 0;
+    crossed += met > 0 && spread < 0;
+  }
+  CHECK(level > 5);
+  CHECK(crossed > 20);
+  for (const bool flat : {false, true}) {
+    // A ground that curves away by less than a hundredth, under a cone that starts behind, over and before its middle.
+    for (const double x : {-5.0, 0.0, 5.0})
+      CHECK(covered(with(Sphere<double>{{x, -10001, 0}, 10000}), along_x(0, 1, flat)) == Approx(0.5).margin(0.01));
+    // Where the rays' point is in the plane that touches the ball from behind, its far edge is nowhere.
+    const double share = covered(with(Sphere<double>{{1, 3, 0}, 1}), along_x(0, 4, flat));
+    CHECK(share == Approx(flat ? 1 / 3.0 : share_beyond(1 / 3.0)).epsilon(1e-9));
+    for (const double spread : {-0.5, 0.0, 4.0})
+      CHECK(covered(with(Sphere<double>{{-2, 0.5, 0}, 1.5}), along_x(0.5, spread, flat)) == 0);
+  }
+}
+
+TEST_CASE("of a solid a cone meets the faces that its rays go into, wherever its point is") {
+  // Two of its sides are turned to where the cone's middle starts, but only one to the rays.
+  const Prism<double> wedge{{{10, 0.3}, {12, 1}, {10, 1}}, 20};
+  for (int number = 0; number < 400; ++number) {
+    const auto at = [&](std::uint32_t dimension) { return unit(number, dimension); };
+    const bool closing = number % 2 == 0;
+    const double start = 0.1 + at(0);
+    const RayCone cone = along_x(start, closing ? -start / (1 + 8 * at(1)) : number % 3 == 0 ? 0 : at(1), true);
+    std::vector<Vec2d> corners;
+    for (std::uint32_t i = 0; i < 3; ++i) corners.push_back({1.5 + 4 * at(2 + i), 4 * at(5 + i) - 2});
+    const Prism<double> solid = number == 0 ? wedge : Prism<double>{corners, 20};
+    if (std::abs(solid.twice_signed_area()) < 0.3) continue;
+    const Scene scene = with(solid);
+    const double share = covered(scene, cone);
+    const Primitives<double> primitives({Shape<double>(solid)});
+    constexpr int rays = 10000;
+    int met = 0;
+    for (int i = 0; i < rays; ++i) {
+      const Vec2d place{(2 * i + 1.0) / rays - 1, 0};
+      const Ray<double> ray{cone.start(place), normalize(cone.direction(place))};
+      TestCounts tests;
+      if (primitives.intersect(0, ray, infinity<double>, tests)) ++met;
+    }
+    CAPTURE(number, cone.radius, cone.spread);
+    CHECK(share == Approx(static_cast<double>(met) / rays).margin(3.0 / rays));
+  }
+  // As on the way to a lamp, too.
+  const RayCone to_lamp = along_x(0.5, -0.5 / 20, true);
+  TestCounts counts;
+  for (const RayCone& cone : {to_lamp, along_x(0.5, 0.1, true), along_x(1, 0, true), along_x(0.5, 0.1, false)}) {
+    const ConeBodies bodies = cone_bodies_of(with(wedge), cone.flat);
+    for (const ConePart& part : meet_cone(bodies, cone, {}, 19, counts))
+      for (const ConeFace& face : std::get<ConeFaces>(bodies[0].shape).faces)
+        if (face.part == part.part) CHECK(dot(cone.direction(part.place), face.normal) < 0);
+  }
+}
+
+TEST_CASE("a cone that starts in the plane of a solid's face is inside if it goes in") {
+  const Scene room = with(Box<double>{{-1, -1, -1}, {1, 1, 1}});
+  for (const bool flat : {false, true})
+    for (const double radius : {0.0, 0.01}) {
+      const Vec3d in = normalize(Vec3d(-1, 0.3, 0));
+      CHECK(covered(room, cone_about({1, 0.2, 0}, in, radius, 0.1, flat)) == Approx(1).epsilon(1e-12));
+      CHECK(covered(room, cone_about({1, 0.2, 0}, -in, radius, 0.1, flat)) == 0);
+      // In an edge, in by one of its faces and out by the other.
+      const Vec3d edge(1, 1, 0);
+      CHECK(covered(room, cone_about(edge, normalize(Vec3d(-1, -0.5, 0)), radius, 0.1, flat)) ==
+            Approx(1).epsilon(1e-12));
+      CHECK(covered(room, cone_about(edge, normalize(Vec3d(-1, 0.5, 0)), radius, 0.1, flat)) == 0);
+    }
+}
+
 TEST_CASE("parts of a cone add up to it, whatever is in the way: hard cases") {
   Scene scene;
   scene.objects = {{"Ball", Sphere<double>{{3, 0.5, 0}, 0.5}, Material{}},

@@ -94,6 +94,27 @@ TEST_CASE("beyond a line through the middle is one half") {
   CHECK(share_beyond(-1) == 1);
 }
 
+TEST_CASE("a part of a cone is as wide as its rays are apart") {
+  const double size = 1e-4;
+  for (const bool flat : {false, true})
+    for (const double spread : {0.5, 2.0, -0.25}) {
+      const RayCone cone = cone_about({0, 0, 0}, {1, 0, 0}, 0.7, spread, flat);
+      const Vec2d u(0.8, 0);
+      const RayCone part = part_of_cone(cone, u, size);
+      for (const double depth : {0.0, 1.0, 7.0}) {
+        // Where a ray that is `size` away, radially or beside it, goes through the plane across the middle one.
+        const auto off = [&](const Vec2d& step) {
+          const Vec3d from = cone.start(u + size * step) - part.origin, way = cone.direction(u + size * step);
+          return length(from + (depth - dot(from, part.axis)) / dot(way, part.axis) * way - depth * part.axis);
+        };
+        CAPTURE(flat, spread, depth);
+        // In space it stays round: of the area of the ellipse.
+        const double expected = flat ? off({1, 0}) : std::sqrt(off({1, 0}) * off({0, 1}));
+        CHECK(std::abs(part.radius_at(depth)) == Approx(expected).epsilon(1e-3));
+      }
+    }
+}
+
 TEST_CASE("a flat mirror leaves a cone's width as it is, and so does glass without another index") {
   const ConeWidth width{0.3, 0.07};
   for (const double cosine : {1.0, 0.6, 0.1}) {
