@@ -10,6 +10,9 @@ namespace raywalk {
 
 namespace {
 
+/// How far a mirrored direction in double may be from one that was recorded: of numbers of 24 bits.
+constexpr double as_recorded = 1e-5;
+
 /// To the left of a direction in the plan.
 Vec3d left_of(const Vec3d& direction) { return {-direction.y, direction.x, 0}; }
 
@@ -23,9 +26,13 @@ double curvature_in_plan(const World<double>& world, const SurfaceHit<double>& s
 
 }  // namespace
 
-std::vector<PencilStage> pencil_of(const World<double>& world, const Timeline& timeline, int ray) {
+std::vector<PencilStage> pencil_of(const World<double>& world, const RayGenerator<double>& camera,
+                                   const Timeline& timeline, int ray) {
   const auto record = [&](int index) -> const RayRecord& { return timeline.rays()[static_cast<std::size_t>(index)]; };
   if (timeline.has_width() || timeline.of_radiosity()) return {};
+  const PixelRecord& pixel = timeline.pixels()[static_cast<std::size_t>(record(ray).pixel)];
+  Statistics uncounted;
+  const double time = camera.primary_ray({pixel.column, pixel.row, pixel.sample}, uncounted).time;
   std::vector<PencilStage> stages;
   Departure departure{};
   std::optional<SurfaceHit<double>> left;
@@ -37,7 +44,7 @@ std::vector<PencilStage> pencil_of(const World<double>& world, const Timeline& t
         stages.empty() ? own.kind == RayKind::primary : own.kind == RayKind::reflect || own.kind == RayKind::refract;
     if (!in_plan || !follows || !own.formed || (!stages.empty() && !left)) return {};
     PencilStage stage{};
-    stage.ray = index, stage.origin = own.origin, stage.direction = own.direction / size;
+    stage.ray = index, stage.time = time, stage.origin = own.origin, stage.direction = own.direction / size;
     stage.length = infinity<double>;
     if (!stages.empty()) {
       const PencilStage& before = stages.back();
@@ -51,7 +58,7 @@ std::vector<PencilStage> pencil_of(const World<double>& world, const Timeline& t
       if (own.kind == RayKind::reflect) {
         stage.reflected = true;
         // Another direction than the mirrored one was drawn from a lobe.
-        if (length(stage.direction - reflect(before.direction, normal)) > 1e-9) return {};
+        if (length(stage.direction - reflect(before.direction, normal)) > as_recorded) return {};
         bent = pencil_mirror(ConePlane::of_incidence, stage.curvature, cos_in);
       } else {
         if (formed == nullptr || !formed->snell) return {};
@@ -64,8 +71,9 @@ std::vector<PencilStage> pencil_of(const World<double>& world, const Timeline& t
       stage.start = bent * pencil_transfer(before.length) * before.start;
     }
     stage.focus = focus_of_point(stage.start);
-    left = find_surface(world, Ray<double>{stage.origin, stage.direction, departure});
+    left = find_surface(world, Ray<double>{stage.origin, stage.direction, departure, time});
     if (left) {
+      stage.object = world.object(left->hit.primitive);
       stage.length = left->hit.t;
       departure = {left->hit.primitive, left->hit.part};
     }
@@ -83,13 +91,13 @@ std::vector<Vec3d> true_neighbour(const World<double>& world, const std::vector<
   Departure departure{};
   for (std::size_t i = 0; i < stages.size(); ++i) {
     points.push_back(origin);
-    const Ray<double> ray{origin, direction, departure};
+    const Ray<double> ray{origin, direction, departure, stages[i].time};
     const auto met = find_surface(world, ray);
     if (i + 1 == stages.size()) {
       points.push_back(origin + std::min(last_length, met ? met->hit.t : last_length) * direction);
       break;
     }
-    if (!met) break;
+    if (!met || world.object(met->hit.primitive) != stages[i].object) break;
     const PencilStage& next = stages[i + 1];
     const Vec3d normal = dot(met->point.normal, direction) <= 0 ? met->point.normal : -met->point.normal;
     if (next.reflected) {

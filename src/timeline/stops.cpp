@@ -22,7 +22,9 @@ int reached(const Timeline& timeline, int position) {
   if (event == nullptr) return 0;
   const auto* called = std::get_if<ShadeCalled>(&event->detail);
   if (called != nullptr && !called->missed) return called->depth;
-  return event->depth + (event->line == Line::form_next_ray ? 1 : 0);
+  const bool forms_next = event->line == Line::form_next_ray || event->line == Line::photon_form_next_ray ||
+                          event->line == Line::gather_form_next_ray;
+  return event->depth + (forms_next ? 1 : 0);
 }
 
 bool is_total(const EventDetail& detail) {
@@ -71,9 +73,15 @@ bool stops_at(const Breakpoints& breakpoints, const Scene& scene, const Timeline
       reached(timeline, position - 1) < *breakpoints.depth)
     return true;
   if (const auto* begun = std::get_if<PixelBegun>(&event->detail)) return breakpoints.pixel == begun->column;
+  if (breakpoints.object.empty()) return false;
+  const auto is_object = [&](int object) {
+    return object >= 0 && scene.objects[static_cast<std::size_t>(object)].name == breakpoints.object;
+  };
+  if (const auto* cut = std::get_if<BeamCut>(&event->detail))
+    return std::any_of(cut->pieces.begin(), cut->pieces.end(),
+                       [&](const BeamPiece& piece) { return is_object(piece.object); });
   const auto* found = std::get_if<Found>(&event->detail);
-  return found != nullptr && !breakpoints.object.empty() && found->ending == Ending::hit && found->object >= 0 &&
-         scene.objects[static_cast<std::size_t>(found->object)].name == breakpoints.object;
+  return found != nullptr && found->ending == Ending::hit && is_object(found->object);
 }
 
 int next_stop(const Breakpoints& breakpoints, const Scene& scene, const Timeline& timeline, int position, int last) {

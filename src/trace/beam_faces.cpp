@@ -84,13 +84,13 @@ std::optional<double> BeamFaces::nearest_of(const BeamRegion& region, const Boun
 }
 
 std::vector<SeenFace> faces_seen(const BeamFaces& faces, const BeamView& view, const WindowPiece& window,
-                                 const BeamPlane* beyond) {
+                                 const BeamPlane* beyond, const Stop& stop) {
   std::vector<SeenFace> seen{{window}};
   BeamRegion region = detail::region_of(view, window);
   if (beyond != nullptr) region.sides.push_back(*beyond);
   std::vector<WindowLine> lines, edges;
   double far = infinity<double>;
-  faces.visit(region, [&](int id) {
+  faces.visit(region, stop, [&](int id) {
     const BeamFace& face = faces[id];
     if (detail::is_edge_on(view.eye, face.plane)) return far;
     const WindowLine nearness = view.nearness(face.plane);

@@ -37,9 +37,9 @@ class BeamFaces {
   [[nodiscard]] double far_from(const Vec3d& eye) const;
 
   /// Calls use(face) with those that may lie in a region: all that do, and some that narrowly do not. It returns how
-  /// far along the axis others may still matter.
+  /// far along the axis others may still matter. `stop` is checked before each.
   template <class Use>
-  void visit(const BeamRegion& region, const Use& use) const;
+  void visit(const BeamRegion& region, const Stop& stop, const Use& use) const;
 
  private:
   struct Waiting {
@@ -55,9 +55,13 @@ class BeamFaces {
 };
 
 template <class Use>
-void BeamFaces::visit(const BeamRegion& region, const Use& use) const {
+void BeamFaces::visit(const BeamRegion& region, const Stop& stop, const Use& use) const {
   double far = infinity<double>;
-  for (const int face : endless_) far = use(face);
+  const auto meet = [&](int face) {
+    stop.check();
+    far = use(face);
+  };
+  for (const int face : endless_) meet(face);
   if (tree_.empty()) return;
   std::array<Waiting, (tree_width - 1) * WideTree::most_levels + tree_width> stack;
   std::size_t waiting = 1;
@@ -67,7 +71,7 @@ void BeamFaces::visit(const BeamRegion& region, const Use& use) const {
     if (at.near > far) continue;
     if (at.child.is_leaf()) {
       const std::int32_t* faces = tree_.listed(at.child.index());
-      for (std::uint32_t i = 0; i < at.child.count(); ++i) far = use(faces[i]);
+      for (std::uint32_t i = 0; i < at.child.count(); ++i) meet(faces[i]);
       continue;
     }
     const WideNode& node = tree_.nodes()[at.child.index()];
@@ -90,13 +94,14 @@ struct SeenFace {
 };
 
 /// What is seen through a window: its parts, which are the window together. Of faces in the same place the one of the
-/// lower primitive is seen. `beyond`: what lies below that plane is not there.
+/// lower primitive is seen. `beyond`: what lies below that plane is not there. `stop` may cancel this, and the next
+/// two, which then throw Stopped: of one pixel they may have thousands of faces to look at.
 ///
 /// E. Catmull, "An analytic visible surface algorithm for independent pixel processing", SIGGRAPH 1984, with the
 /// polygons of K. Weiler and P. Atherton, "Hidden surface removal using polygon area sorting", SIGGRAPH 1977: each face
 /// takes from those before it where it is nearer, in any order.
 [[nodiscard]] std::vector<SeenFace> faces_seen(const BeamFaces& faces, const BeamView& view, const WindowPiece& window,
-                                               const BeamPlane* beyond = nullptr);
+                                               const BeamPlane* beyond = nullptr, const Stop& stop = {});
 
 /// Where light comes from: a point, or a direction of unit length towards it.
 struct BeamLight {
@@ -114,13 +119,13 @@ struct LitPiece {
 /// to light. A round body casts no shadow on itself: there its own normals say where light ends.
 template <class Role>
 [[nodiscard]] std::vector<LitPiece> shadows_on(const BeamFaces& faces, const BeamView& view, const SeenFace& seen,
-                                               const BeamLight& light, const Role& role);
+                                               const BeamLight& light, const Role& role, const Stop& stop = {});
 
 /// What of a light is seen that is a window itself: the view's corner, right and down are its corner and sides, less
 /// the eye.
 template <class Role>
 [[nodiscard]] std::vector<LitPiece> open_light(const BeamFaces& faces, const BeamView& view, const WindowPiece& window,
-                                               const BeamFace& from, const Role& role);
+                                               const BeamFace& from, const Role& role, const Stop& stop = {});
 
 namespace detail {
 
@@ -183,11 +188,11 @@ void add_shadow(std::vector<WindowLine>& lines, const BeamView& view, const Beam
 
 template <class Role>
 std::vector<LitPiece> shadows_on(const BeamFaces& faces, const BeamView& view, const SeenFace& seen,
-                                 const BeamLight& light, const Role& role) {
+                                 const BeamLight& light, const Role& role, const Stop& stop) {
   const BeamFace& receiver = faces[seen.face];
   std::vector<LitPiece> pieces{{seen.window}};
   std::vector<WindowLine> lines;
-  faces.visit(detail::region_to(light, view, seen, receiver.plane), [&](int id) {
+  faces.visit(detail::region_to(light, view, seen, receiver.plane), stop, [&](int id) {
     if (!detail::is_hidden_by(receiver, faces[id])) return infinity<double>;
     lines.clear();
     detail::add_shadow(lines, view, receiver.plane, light, faces[id]);
@@ -199,10 +204,10 @@ std::vector<LitPiece> shadows_on(const BeamFaces& faces, const BeamView& view, c
 
 template <class Role>
 std::vector<LitPiece> open_light(const BeamFaces& faces, const BeamView& view, const WindowPiece& window,
-                                 const BeamFace& from, const Role& role) {
+                                 const BeamFace& from, const Role& role, const Stop& stop) {
   std::vector<LitPiece> pieces{{window}};
   std::vector<WindowLine> lines;
-  faces.visit(detail::region_of(view, window), [&](int id) {
+  faces.visit(detail::region_of(view, window), stop, [&](int id) {
     if (!detail::is_hidden_by(from, faces[id]) || detail::is_edge_on(view.eye, faces[id].plane))
       return infinity<double>;
     lines.clear();

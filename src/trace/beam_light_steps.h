@@ -19,7 +19,7 @@ void BeamTracer<Watcher>::divide_by_shadows(std::vector<BeamPart>& pieces, const
   if (shows_shadows(whole.outline))
     for (const Light& light : world_.lights) {
       if (detail::has_extent(world_, light)) continue;  // a penumbra has no edge
-      for (const Place& edge : beam.plan->shadow_edges(beam.fan, whole, {plan(light.place), light.is_distant}))
+      for (const Place& edge : beam.plan->shadow_edges(beam.fan, whole, {plan(light.place), light.is_distant}, stop_))
         edges.push_back(edge);
     }
   std::sort(edges.begin(), edges.end());
@@ -147,7 +147,7 @@ Found BeamTracer<Watcher>::find_uncovered(const Part& part, const Shadow& shadow
   Found found{shadow.number, Ending::blocked};
   found.transmittance = Rgbd(0.0);
   double widest = 0;
-  for (const BeamPart& piece : seen.cut(*shadow.fan)) {
+  for (const BeamPart& piece : seen.cut(*shadow.fan, {0, 0}, {1, 0}, stop_)) {
     const Vec2d direction = shadow.fan->at(piece.middle());
     const Vec2d met = piece.outline < 0 ? from : seen.end(*shadow.fan, piece, piece.middle());
     const bool before = piece.outline >= 0 && length(met - from) < length(direction);

@@ -57,7 +57,8 @@ template <class Watcher>
 auto BeamTracer<Watcher>::cut(Line line, int depth, const Beam& beam) -> std::vector<Part> {
   stop_.check();
   std::vector<BeamPart> pieces;
-  for (const BeamPart& whole : beam.plan->cut(beam.fan, beam.begin, beam.end)) divide_by_shadows(pieces, beam, whole);
+  for (const BeamPart& whole : beam.plan->cut(beam.fan, beam.begin, beam.end, stop_))
+    divide_by_shadows(pieces, beam, whole);
   std::vector<Part> parts;
   for (const BeamPart& piece : pieces) {
     Part part;

@@ -24,8 +24,9 @@ auto SpaceBeamTracer<T, Watcher>::divided_by_shadows(const Beam& beam, const Par
       const std::uint64_t bit = std::uint64_t{1} << index;
       std::vector<Part> divided;
       for (const Part& piece : pieces)
-        for (LitPiece& lit : shadows_on(faces_, beam.view, piece, {Vec3d(light.place), light.is_distant},
-                                        [&](int primitive) { return role_of(world_.shadow_roles, primitive); })) {
+        for (LitPiece& lit : shadows_on(
+                 faces_, beam.view, piece, {Vec3d(light.place), light.is_distant},
+                 [&](int primitive) { return role_of(world_.shadow_roles, primitive); }, stop_)) {
           Part part = piece;
           part.window = std::move(lit.window);
           if (lit.stopped) part.stopped |= bit;
@@ -154,7 +155,7 @@ auto SpaceBeamTracer<T, Watcher>::arriving_from(const Part& part, const Light& l
       window = halves_of(window, view.line(side_up * face.plane.normal, 1)).inside;
     if (window.empty()) continue;
     std::vector<LitPiece> pieces{{window}};
-    if (world_.occludes) pieces = open_light(faces_, view, window, face, role);
+    if (world_.occludes) pieces = open_light(faces_, view, window, face, role, stop_);
     for (const LitPiece& open : pieces) {
       if (open.stopped) continue;
       const Vec3<T> to_light(view.direction(middle_of(open.window)));

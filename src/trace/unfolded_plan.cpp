@@ -8,6 +8,7 @@
 
 namespace raywalk {
 
+using detail::ExactLine;
 using detail::ExactPoint;
 
 namespace {
@@ -20,19 +21,27 @@ Expansion dot(const ExactPoint& a, const ExactPoint& b) { return a.x * b.x + a.y
 Expansion cross(const ExactPoint& a, const ExactPoint& b) { return a.x * b.y - a.y * b.x; }
 ExactPoint turned_left(const ExactPoint& a) { return {-a.y, a.x}; }
 
-/// The points X of a straight outline have normal . X = offset.
-struct ExactLine {
-  ExactPoint normal;
-  Expansion offset;
-};
-ExactLine line_of(const ExactPoint& from, const ExactPoint& to) { return {turned_left(to - from), cross(to, from)}; }
+/// The power of two that brings x, which is not 0, to [1, 2); or as near as a power does that is a normal number.
+double to_unit(double x) { return std::ldexp(1.0, std::clamp(-std::ilogb(x), -1000, 1000)); }
+
+/// With a normal of about unit length, whatever that of the outline is: products of several of them neither over- nor
+/// underflow. A power of two changes no bit of what is computed with it.
+ExactLine line_of(const ExactPoint& normal, const Expansion& offset) {
+  const double size = std::max(std::abs(normal.x.rounded().hi), std::abs(normal.y.rounded().hi));
+  if (size == 0) return {normal, offset};
+  const Expansion by = to_unit(size);
+  return {normal * by, offset * by};
+}
+ExactLine line_through(const ExactPoint& from, const ExactPoint& to) {
+  return line_of(turned_left(to - from), cross(to, from));
+}
 ExactLine line_of(const Outline& straight) {
   if (const auto* wall = std::get_if<OutlineWall>(&straight.shape)) {
     const ExactPoint normal = exact(wall->normal);
-    return {normal, dot(normal, exact(wall->point))};
+    return line_of(normal, dot(normal, exact(wall->point)));
   }
   const auto& side = std::get<OutlineSide>(straight.shape);
-  return line_of(exact(side.from), exact(side.to));
+  return line_through(exact(side.from), exact(side.to));
 }
 
 Place place_of(DoubleDouble x) {
@@ -83,11 +92,13 @@ UnfoldedPlan UnfoldedPlan::mirrored(int outline) const {
   UnfoldedPlan plan(*this);
   plan.mirror_ = seen_[static_cast<std::size_t>(outline)];
   // What is seen in the mirror is the plan reflected in it first, and then in those before it.
-  plan.mirrors_.push_back(outline);
-  // The mirror itself in the scale of what is seen beyond it.
   const ExactLine line = line_of((*outlines_)[static_cast<std::size_t>(outline)]);
-  const Expansion size = dot(line.normal, line.normal);
-  plan.scale_ = scale_ * static_cast<double>(size.rounded());
+  const Expansion square = dot(line.normal, line.normal);
+  const double scale = scale_ * square.rounded().hi, by = scale > 0 ? to_unit(scale) : 1;
+  plan.scale_ = scale * by;
+  plan.mirrors_.push_back({outline, line, square * by, 2 * by});
+  // The mirror itself in the scale of what is seen beyond it.
+  const Expansion& size = plan.mirrors_.back().size;
   Seen& mirror = *plan.mirror_;
   mirror.from = mirror.from * size, mirror.to = mirror.to * size;
   mirror.normal = mirror.normal * size;
@@ -101,12 +112,11 @@ UnfoldedPlan UnfoldedPlan::mirrored(int outline) const {
 ExactPoint UnfoldedPlan::unfolded(const Vec2d& original, bool is_direction, Expansion& scale) const {
   ExactPoint point = exact(original);
   scale = 1.0;
-  for (std::size_t i = mirrors_.size(); i-- > 0;) {
-    const ExactLine line = line_of((*outlines_)[static_cast<std::size_t>(mirrors_[i])]);
-    const Expansion across = is_direction ? dot(line.normal, point) : dot(line.normal, point) - line.offset * scale;
-    const Expansion size = dot(line.normal, line.normal);
-    point = point * size - line.normal * (across * 2.0);
-    scale = scale * size;
+  for (auto mirror = mirrors_.rbegin(); mirror != mirrors_.rend(); ++mirror) {
+    const auto& [normal, offset] = mirror->line;
+    const Expansion across = is_direction ? dot(normal, point) : dot(normal, point) - offset * scale;
+    point = point * mirror->size - normal * (across * mirror->twice);
+    scale = scale * mirror->size;
   }
   if (!is_direction) point = point - exact(eye_) * scale;
   return point;
@@ -122,14 +132,15 @@ auto UnfoldedPlan::seen(const Outline& outline) const -> Seen {
                  [&](const OutlineSide& side) {
                    seen.from = unfold(side.from, false);
                    seen.to = unfold(side.to, false);
-                   const ExactLine line = line_of(seen.from, seen.to);
+                   const ExactLine line = line_through(seen.from, seen.to);
                    seen.normal = line.normal, seen.offset = line.offset;
                    seen.low = {std::min(side.from.x, side.to.x), std::min(side.from.y, side.to.y)};
                    seen.high = {std::max(side.from.x, side.to.x), std::max(side.from.y, side.to.y)};
                  },
                  [&](const OutlineWall& wall) {
-                   seen.normal = unfold(wall.normal, true);
-                   seen.offset = dot(seen.normal, unfold(wall.point, false));
+                   const ExactPoint normal = unfold(wall.normal, true);
+                   const ExactLine line = line_of(normal, dot(normal, unfold(wall.point, false)));
+                   seen.normal = line.normal, seen.offset = line.offset;
                    seen.low = Vec2d(-std::numeric_limits<double>::infinity());
                    seen.high = -seen.low;
                  },
@@ -146,7 +157,7 @@ auto UnfoldedPlan::seen(const Outline& outline) const -> Seen {
 
 /// A superset of the places where what is seen changes: the directions of corners, those that touch circles, those of
 /// the points where outlines cross each other, and those parallel to walls.
-std::vector<Place> UnfoldedPlan::breaks(const PixelFan& fan) const {
+std::vector<Place> UnfoldedPlan::breaks(const PixelFan& fan, const Stop& stop) const {
   const ExactPoint begin = exact(fan.begin), end = exact(fan.end);
   Roots roots;
   const auto parallel = [&](const ExactPoint& across) { roots.linear(dot(across, begin), dot(across, end)); };
@@ -162,6 +173,7 @@ std::vector<Place> UnfoldedPlan::breaks(const PixelFan& fan) const {
     equal(begin * offset - circle.centre * n0, end * offset - circle.centre * n1, circle.square, {n0, 0.0}, {n1, 0.0});
   };
   for (std::size_t i = 0; i < seen_.size(); ++i) {
+    stop.check();
     const Seen& one = seen_[i];
     if (!one.straight) {
       equal({cross(begin, one.centre), 0.0}, {cross(end, one.centre), 0.0}, one.square, begin, end);
@@ -195,7 +207,8 @@ std::vector<Place> UnfoldedPlan::breaks(const PixelFan& fan) const {
 
 /// Of the rays d of the fan, that at d meets the straight outline in offset d / (normal . d); so the point, and the way
 /// from a light to it, times (normal . d), is linear in d.
-std::vector<Place> UnfoldedPlan::shadow_edges(const PixelFan& fan, const BeamPart& part, const PlanLight& light) const {
+std::vector<Place> UnfoldedPlan::shadow_edges(const PixelFan& fan, const BeamPart& part, const PlanLight& light,
+                                              const Stop& stop) const {
   const ExactPoint begin = exact(fan.begin), end = exact(fan.end);
   const Seen& surface = seen_[static_cast<std::size_t>(part.outline)];
   const Expansion n0 = dot(surface.normal, begin), n1 = dot(surface.normal, end);
@@ -212,6 +225,7 @@ std::vector<Place> UnfoldedPlan::shadow_edges(const PixelFan& fan, const BeamPar
   };
   for (std::size_t i = 0; i < seen_.size(); ++i) {
     const Seen& outline = seen_[i];
+    stop.check();
     if (static_cast<int>(i) == part.outline) continue;
     if (outline.straight) {
       if (!outline.endless) corner(outline.from), corner(outline.to);
@@ -273,7 +287,7 @@ auto UnfoldedPlan::nearest(const ExactPoint& direction) const -> Nearest {
   Nearest nearest;
   std::optional<Distance> least;
   for (std::size_t i = 0; i < seen_.size(); ++i) {
-    if (mirror_ && static_cast<int>(i) == mirrors_.back()) continue;
+    if (mirror_ && static_cast<int>(i) == mirrors_.back().outline) continue;
     bool far_side = false;
     const std::optional<Distance> at = distance(seen_[i], direction, mirror, &far_side);
     // Outlines that lie upon each other: the first of them.
@@ -284,12 +298,14 @@ auto UnfoldedPlan::nearest(const ExactPoint& direction) const -> Nearest {
   return nearest;
 }
 
-std::vector<BeamPart> UnfoldedPlan::cut(const PixelFan& fan, const Place& begin, const Place& end) const {
-  std::vector<Place> places = breaks(fan);
+std::vector<BeamPart> UnfoldedPlan::cut(const PixelFan& fan, const Place& begin, const Place& end,
+                                        const Stop& stop) const {
+  std::vector<Place> places = breaks(fan, stop);
   std::sort(places.begin(), places.end());
   std::vector<BeamPart> parts;
   bool far_side = false;  // of the last part
   const auto add = [&](const Place& from, const Place& to) {
+    stop.check();
     const Place at = middle(from, to);
     const Expansion x = Expansion(at.high) + at.low;
     const ExactPoint direction = exact(fan.begin) + (exact(fan.end) - exact(fan.begin)) * x;
@@ -311,8 +327,8 @@ std::vector<BeamPart> UnfoldedPlan::cut(const PixelFan& fan, const Place& begin,
 }
 
 Vec2d UnfoldedPlan::folded(Vec2d point, bool is_direction) const {
-  for (const int mirror : mirrors_) {
-    const ExactLine line = line_of((*outlines_)[static_cast<std::size_t>(mirror)]);
+  for (const Mirror& mirror : mirrors_) {
+    const ExactLine& line = mirror.line;
     const ExactPoint exactly = exact(point);
     const Expansion across = is_direction ? dot(line.normal, exactly) : dot(line.normal, exactly) - line.offset;
     const DoubleDouble size = dot(line.normal, line.normal).rounded();

@@ -13,6 +13,7 @@
 // where the one before it ends, so that widths, taken exactly, add up to exactly 1.
 
 #include "math/expansion.h"
+#include "math/stop.h"
 #include "trace/outlines.h"
 
 #include <optional>
@@ -58,6 +59,11 @@ namespace detail {
 struct ExactPoint {
   Expansion x, y;
 };
+/// The points X of a straight outline have normal . X = offset.
+struct ExactLine {
+  ExactPoint normal;
+  Expansion offset;
+};
 }  // namespace detail
 
 /// The outlines of a plan as an eye sees them, directly or by flat mirrors.
@@ -69,14 +75,14 @@ class UnfoldedPlan {
   [[nodiscard]] UnfoldedPlan mirrored(int outline) const;
 
   /// What the rays between two places see, in parts that follow each other; each with another outline than its
-  /// neighbours, or, of a circle, its other side.
-  [[nodiscard]] std::vector<BeamPart> cut(const PixelFan& fan, const Place& begin = {0, 0},
-                                          const Place& end = {1, 0}) const;
+  /// neighbours, or, of a circle, its other side. `stop` may cancel it, which then throws Stopped.
+  [[nodiscard]] std::vector<BeamPart> cut(const PixelFan& fan, const Place& begin = {0, 0}, const Place& end = {1, 0},
+                                          const Stop& stop = {}) const;
 
   /// Where a straight outline, which the rays between these places see, passes from light into shadow or back; in
   /// order. A superset: outlines that other outlines hide from the light are not left out, nor those behind.
-  [[nodiscard]] std::vector<Place> shadow_edges(const PixelFan& fan, const BeamPart& part,
-                                                const PlanLight& light) const;
+  [[nodiscard]] std::vector<Place> shadow_edges(const PixelFan& fan, const BeamPart& part, const PlanLight& light,
+                                                const Stop& stop = {}) const;
 
   // Rounded, in the plan itself.
 
@@ -100,13 +106,22 @@ class UnfoldedPlan {
     Expansion square;           ///< of its radius
     Vec2d low, high;            ///< a box around it, in the plan itself
   };
+  /// A mirror, and what makes its reflection exact: points are multiplied by `size`, which is the square of the normal
+  /// times a power of two. It keeps `scale_` in [1, 2), however long the mirror is and however many there are: what is
+  /// computed with are its powers up to the twelfth.
+  struct Mirror {
+    int outline;
+    detail::ExactLine line;
+    Expansion size;
+    double twice;  ///< 2, times that power of two
+  };
   /// How far along a direction, in multiples of it: to a relative error of about 2^-96.
   using Distance = DoubleDouble;
 
   [[nodiscard]] Seen seen(const Outline& outline) const;
   /// Relative to the eye, as the mirrors show it, times `scale`, which this sets.
   [[nodiscard]] detail::ExactPoint unfolded(const Vec2d& point, bool is_direction, Expansion& scale) const;
-  [[nodiscard]] std::vector<Place> breaks(const PixelFan& fan) const;
+  [[nodiscard]] std::vector<Place> breaks(const PixelFan& fan, const Stop& stop) const;
   [[nodiscard]] std::optional<Distance> distance(const Seen& outline, const detail::ExactPoint& direction,
                                                  const std::optional<Distance>& beyond, bool* far_side) const;
   struct Nearest {
@@ -118,8 +133,8 @@ class UnfoldedPlan {
 
   const std::vector<Outline>* outlines_;
   Vec2d eye_;
-  std::vector<int> mirrors_;  ///< from the eye on
-  double scale_ = 1;          ///< the common number, rounded
+  std::vector<Mirror> mirrors_;  ///< from the eye on
+  double scale_ = 1;             ///< the common number, rounded
   std::vector<Seen> seen_;
   std::optional<Seen> mirror_;  ///< the last one, as it is seen in those before
 };

@@ -43,8 +43,9 @@ TEST_CASE("the matrix of each ray is what its neighbours do, to first order") {
     scene.render.integrator = Integrator::whitted;
     const Timeline timeline = record_strip(scene, {Precision::double_});
     const World<double> world(scene);
+    const auto camera = camera_of<double>(scene, timeline);
     for (int ray = 0; ray < static_cast<int>(timeline.rays().size()); ++ray) {
-      const std::vector<PencilStage> stages = pencil_of(world, timeline, ray);
+      const std::vector<PencilStage> stages = pencil_of(world, camera, timeline, ray);
       if (stages.empty()) continue;
       CAPTURE(name, ray, stages.size());
       REQUIRE(stages.back().ray == ray);
@@ -88,12 +89,74 @@ TEST_CASE("there is no pencil about a ray that has a width, goes to a light, or 
   int shadows = 0;
   for (int ray = 0; ray < static_cast<int>(timeline.rays().size()); ++ray) {
     if (timeline.rays()[static_cast<std::size_t>(ray)].kind != RayKind::shadow) continue;
-    CHECK(pencil_of(world, timeline, ray).empty());
+    CHECK(pencil_of(world, camera_of<double>(scene, timeline), timeline, ray).empty());
     ++shadows;
   }
   CHECK(shadows > 10);
   scene.render.integrator = Integrator::cones;
   const Timeline cones = record_strip(scene, {Precision::double_});
-  for (int ray = 0; ray < static_cast<int>(cones.rays().size()); ++ray) CHECK(pencil_of(world, cones, ray).empty());
+  for (int ray = 0; ray < static_cast<int>(cones.rays().size()); ++ray)
+    CHECK(pencil_of(world, camera_of<double>(scene, cones), cones, ray).empty());
   CHECK(true_neighbour(world, {}, 0, 1).empty());
+}
+
+TEST_CASE("a pencil meets what moves where it was when the shutter opened, as its ray did") {
+  Scene scene = shipped_scene("mirrors");
+  scene.render.integrator = Integrator::whitted;
+  for (Object& object : scene.objects) object.motion = {{0, {0, 0, 0}}, {1, {0.3, 0.2, 0}}};
+  scene.camera.shutter_open = 0.5, scene.camera.shutter_close = 1;
+  const Timeline timeline = record_strip(scene, {Precision::double_});
+  const World<double> world(scene);
+  const auto camera = camera_of<double>(scene, timeline);
+  int followed = 0;
+  for (int ray = 0; ray < static_cast<int>(timeline.rays().size()); ++ray) {
+    for (const PencilStage& stage : pencil_of(world, camera, timeline, ray)) {
+      const RayRecord& record = timeline.rays()[static_cast<std::size_t>(stage.ray)];
+      CAPTURE(ray, stage.ray);
+      REQUIRE(stage.object == record.object);
+      if (record.object >= 0)
+        REQUIRE(length(stage.origin + stage.length * stage.direction - record.end) == Approx(0).margin(1e-9));
+      followed += record.object >= 0;
+    }
+  }
+  CHECK(followed > 20);
+}
+
+TEST_CASE("a recording of 24 bits has pencils too") {
+  Scene scene = shipped_scene("mirrors");
+  scene.render.integrator = Integrator::whitted;
+  const World<double> world(scene);
+  const auto mirrored = [&](Precision precision) {
+    const Timeline timeline = record_strip(scene, {precision});
+    const auto camera = camera_of<double>(scene, timeline);
+    int count = 0;
+    for (int ray = 0; ray < static_cast<int>(timeline.rays().size()); ++ray)
+      count += pencil_of(world, camera, timeline, ray).size() > 1;
+    return count;
+  };
+  const int expected = mirrored(Precision::double_);
+  CHECK(expected > 10);
+  CHECK(mirrored(Precision::float_) > 0.9 * expected);
+}
+
+TEST_CASE("a true ray beside ends where it meets another object") {
+  // A mirror that faces EYE, and beside it one that stands nearer.
+  Scene scene;
+  scene.camera.eye = {-6, 0, 0}, scene.camera.look_at = {0, 0, 0};
+  scene.camera.screen = {2, 1, 1};
+  Material mirror;
+  mirror.reflection = Rgbd(0.9);
+  scene.objects = {{"Far", Box<double>{{2, -1, -1}, {3, 1, 1}}, mirror},
+                   {"Near", Box<double>{{0, 1, -1}, {3, 3, 1}}, mirror}};
+  scene.render.integrator = Integrator::whitted;
+  const Timeline timeline = record_strip(scene, {Precision::double_});
+  const World<double> world(scene);
+  REQUIRE(timeline.rays().size() > 1);
+  int reflected = 0;
+  while (timeline.rays()[static_cast<std::size_t>(reflected)].kind != RayKind::reflect) ++reflected;
+  const auto stages = pencil_of(world, camera_of<double>(scene, timeline), timeline, reflected);
+  REQUIRE(stages.size() == 2);
+  CHECK(stages[0].object == 0);
+  CHECK(true_neighbour(world, stages, 0.05, 3).size() == 3);
+  CHECK(true_neighbour(world, stages, 0.25, 3).size() == 1);  // it meets Near
 }

@@ -157,3 +157,45 @@ TEST_CASE("a depth of a traced path counts its rays") {
   REQUIRE_FALSE(expected.empty());
   CHECK(all_stops(breakpoints, scene, timeline) == expected);
 }
+
+TEST_CASE("a depth of photons, and of the rays that gather them, counts too") {
+  const Scene scene = shipped("caustic");
+  const Timeline timeline = record_strip(scene);
+  REQUIRE(timeline.of_photons());
+  Breakpoints breakpoints;
+  breakpoints.depth = 2;
+  std::vector<int> formed;
+  for (int i = 0; i + 1 < timeline.steps(); ++i) {
+    const Line line = timeline.event(i).line;
+    const bool forms = line == Line::photon_form_next_ray || line == Line::gather_form_next_ray;
+    if (forms && timeline.event(i).depth == 1) formed.push_back(i + 1);
+  }
+  REQUIRE_FALSE(formed.empty());
+  CHECK(all_stops(breakpoints, scene, timeline) == formed);
+}
+
+TEST_CASE("a walk of beams or cones stops where a part sees the object") {
+  for (const Integrator integrator : {Integrator::beams, Integrator::cones}) {
+    Scene scene = shipped("beams");
+    scene.render.integrator = integrator;
+    const Timeline timeline = record_strip(scene);
+    REQUIRE(timeline.has_width());
+    Breakpoints breakpoints;
+    breakpoints.object = "Red Post";
+    std::vector<int> expected;
+    for (int i = 0; i < timeline.steps(); ++i) {
+      const EventDetail& detail = timeline.event(i).detail;
+      bool sees = false;
+      if (const auto* cut = std::get_if<BeamCut>(&detail))
+        for (const BeamPiece& piece : cut->pieces)
+          sees =
+              sees || (piece.object >= 0 && scene.objects[static_cast<std::size_t>(piece.object)].name == "Red Post");
+      if (const auto* found = std::get_if<Found>(&detail))
+        sees = found->ending == Ending::hit && found->object >= 0 &&
+               scene.objects[static_cast<std::size_t>(found->object)].name == "Red Post";
+      if (sees) expected.push_back(i + 1);
+    }
+    REQUIRE_FALSE(expected.empty());
+    CHECK(all_stops(breakpoints, scene, timeline) == expected);
+  }
+}

@@ -146,6 +146,67 @@ TEST_CASE("edges of shadows on a wall are where the rays of a light that touch s
   CHECK(12 * edges[1].value() == Approx(3.5).epsilon(1e-15));
 }
 
+TEST_CASE("through many mirrors the same is seen, however long they are, and on any scale") {
+  // Two that face each other, six apart, and a ball between them; in them the eye stands every twelve.
+  const auto facing = [](double reach, double scale) {
+    return std::vector<Outline>{side(scale * Vec2d(-reach, 3), scale * Vec2d(reach, 3), 0),
+                                side(scale * Vec2d(reach, -3), scale * Vec2d(-reach, -3), 1),
+                                circle(scale * Vec2d(24, 0), scale * 2, 2)};
+  };
+  const auto endless = [](double size) {
+    return std::vector<Outline>{wall({0, 3}, {0, -size}, 0), wall({0, -3}, {0, size}, 1), circle({24, 0}, 2, 2)};
+  };
+  const auto check_all = [](const std::vector<Outline>& plan, double scale) {
+    const PixelFan fan{scale * Vec2d(1, 9), scale * Vec2d(1, 11)};
+    std::vector<std::vector<BeamPart>> all;
+    UnfoldedPlan seen(plan, Vec2d(0.0));
+    for (int mirrors = 0; mirrors <= 41; ++mirrors) {
+      CAPTURE(mirrors);
+      all.push_back(seen.cut(fan));
+      check_whole(all.back());
+      // The fan begins where it touches the ball about (24, 6 mirrors), which is seen by that many mirrors.
+      CHECK((covered(all.back(), 2) > 0) == (mirrors >= 33));
+      CHECK(seen.virtual_eye() == scale * Vec2d(0, mirrors % 2 == 0 ? -6 * mirrors : 6 * mirrors));
+      for (const BeamPart& part : all.back()) {
+        const Vec2d at = seen.end(fan, part, part.middle()) / scale;
+        if (part.outline < 2) CHECK(at.y == Approx(part.outline == 0 ? 3 : -3));
+        if (part.outline == 2) CHECK(length(at - Vec2d(24, 0)) == Approx(2));
+      }
+      const std::vector<Place> edges =
+          seen.shadow_edges(fan, {pixel_begin, pixel_end, mirrors % 2}, {scale * Vec2d(28, 1)});
+      all.back().push_back({edges.empty() ? Place{} : edges.front(), {}, static_cast<int>(edges.size())});
+      seen = seen.mirrored(mirrors % 2);
+    }
+    return all;
+  };
+  const auto expected = check_all(facing(128, 1), 1);
+  const auto check_same = [&](const std::vector<std::vector<BeamPart>>& all) {
+    REQUIRE(all.size() == expected.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      REQUIRE(all[i].size() == expected[i].size());
+      for (std::size_t k = 0; k < all[i].size(); ++k) {
+        CHECK(all[i][k].outline == expected[i][k].outline);
+        CHECK(all[i][k].begin == expected[i][k].begin);
+      }
+    }
+  };
+  check_same(check_all(facing(0x1p14, 1), 1));
+  check_same(check_all(facing(0x1p40, 1), 1));
+  for (const double scale : {0x1p-60, 0x1p-30, 0x1p30, 0x1p60}) check_same(check_all(facing(128, scale), scale));
+  check_same(check_all(endless(1), 1));
+  check_same(check_all(endless(0x1p-300), 1));
+  check_same(check_all(endless(0x1p300), 1));
+}
+
+TEST_CASE("a cut ends when it is asked to") {
+  Stopper stopper;
+  stopper.raised = true;
+  const std::vector<Outline> plan{side({2, -1}, {2, 0.5}, 0), wall({4, 0}, {1, 0}, 1)};
+  const UnfoldedPlan seen(plan, Vec2d(0.0));
+  CHECK_THROWS_AS(seen.cut(fan_ahead, pixel_begin, pixel_end, Stop(stopper)), Stopped);
+  CHECK_THROWS_AS(seen.shadow_edges(fan_ahead, {pixel_begin, pixel_end, 1}, {{0, 0}}, Stop(stopper)), Stopped);
+}
+
 TEST_CASE("hard plans leave no gap and no overlap") {
   const Vec2d eye(0.0);
   const auto parts_of = [&](const std::vector<Outline>& plan, const PixelFan& fan = fan_ahead) {

@@ -438,4 +438,34 @@ TEST_CASE("what beams cannot follow is refused by name") {
   CHECK(why_no_space_beams(scene) == "Ball is endless");
 }
 
+TEST_CASE("beams count the faces that polygons and prisms are cut into") {
+  // A comb whose teeth all end at other heights: each of them is cut at all of them.
+  const auto comb = [](int corners) {
+    Prism<double> prism;
+    for (int i = 0; i < corners; ++i) prism.corners.push_back({1.0 * i, i % 2 == 0 ? -1 - 0.001 * i : 1 + 0.001 * i});
+    prism.corners.push_back({1.0 * corners, -10});
+    prism.corners.push_back({-1, -10});
+    return prism;
+  };
+  Scene scene = empty_scene();
+  scene.objects = {{"Comb", comb(600), matt(1)}};
+  REQUIRE(beam_faces_of(scene).size() > 80000);
+  CHECK(why_no_space_beams(scene).empty());
+  scene.objects[0].shape = comb(1000);
+  REQUIRE(beam_faces_of(scene).size() > 200000);
+  CHECK(why_no_space_beams(scene) == "the scene has more than 200,000 faces");
+  Polygon<double> polygon;
+  for (const Vec2d& corner : comb(1000).corners) polygon.outline.push_back({corner, 0});
+  scene.objects[0].shape = polygon;
+  CHECK(beam_faces_of(scene).size() < 200000);  // along its first side they are fewer
+  CHECK(why_no_space_beams(scene).empty());
+  // Many corners alone are no reason; nor are many triangles of one face each.
+  Prism<double> round;
+  for (int i = 0; i < 5000; ++i) round.corners.push_back({std::cos(i * 6.283 / 5000), std::sin(i * 6.283 / 5000)});
+  scene.objects = {{"Round", round, matt(1)}};
+  CHECK(why_no_space_beams(scene).empty());
+  scene.objects.assign(40000, {"Triangle", Triangle<double>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, matt(1)});
+  CHECK(why_no_space_beams(scene).empty());
+}
+
 }  // namespace raywalk::space_beams_test

@@ -76,7 +76,7 @@ void PencilRoom::follow(State& state, const Before& /*before*/) {
   const Timeline::Range range = timeline->rays_of_pixel(pixel);
   const int formed = static_cast<int>(timeline->rays_at(position).size());
   for (int i = range.first; i < std::min(range.last, formed); ++i) {
-    Pencil pencil{i, pencil_of(*world, *timeline, i)};
+    Pencil pencil{i, pencil_of(*world, camera, *timeline, i)};
     if (pencil.stages.empty()) continue;
     if (room.neighbours) compare(pencil, *world, room.half_angle);
     room.pencils.push_back(std::move(pencil));
