@@ -76,6 +76,7 @@ double faces_of(const Object& object) {
 std::string why_not(const std::vector<Object>& objects) {
   for (const Object& object : objects) {
     if (!object.motion.empty()) return object.name + " moves";
+    if (object.material.normal == ShadingNormal::fixed) return object.name + " has a fixed normal";
     if (is_endless(object)) return object.name + " is endless";
     if (const auto* instance = std::get_if<Instance>(&object.shape); instance != nullptr && instance->content)
       if (std::string why = why_not(instance->content->group.objects); !why.empty())

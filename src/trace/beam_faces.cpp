@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace raywalk {
@@ -20,9 +21,8 @@ Bounds<double> box_of(const BeamFace& face) {
 
 /// The place of a window on a plane; far away where the plane is seen from nearly within.
 Vec3d place_on(const BeamView& view, const WindowLine& nearness, const Vec2d& place) {
-  constexpr double farthest = 1e12;
   const Vec3d direction = view.direction(place);
-  return view.eye + direction / std::max(nearness.at(place), 1 / farthest);
+  return view.eye + direction / std::max({nearness.at(place), nearness.slack, std::numeric_limits<double>::min()});
 }
 
 /// Through the point at both ends of a side, on the side of `inner`.

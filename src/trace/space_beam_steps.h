@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace raywalk {
@@ -104,7 +105,7 @@ auto SpaceBeamTracer<T, Watcher>::cut(Line line, int depth, const Beam& beam) ->
     mirror = &towards;
   }
   std::vector<Part> parts;
-  for (SeenFace& seen : faces_seen(faces_, beam.view, beam.window, mirror)) {
+  for (SeenFace& seen : faces_seen(faces_, beam.view, beam.window, mirror, stop_)) {
     Part whole;
     static_cast<SeenFace&>(whole) = std::move(seen);
     for (Part& piece : divided_by_shadows(beam, whole)) divide_by_squares(parts, beam, std::move(piece));
