@@ -25,8 +25,7 @@ namespace {
 
 /// Whether the open file still has this name: whoever held it before may have removed it.
 bool is_named(int descriptor, const std::string& name) {
-  struct stat open {
-  }, named{};
+  struct stat open{}, named{};
   return ::fstat(descriptor, &open) == 0 && ::stat(name.c_str(), &named) == 0 && open.st_dev == named.st_dev &&
          open.st_ino == named.st_ino;
 }

@@ -270,11 +270,11 @@ struct DocumentRoom {
   static Commands commands();
 
   SceneDocument contents;
-  std::string path;                ///< absolute; empty: never saved
-  std::optional<Scene> saved;      ///< the scene as the file holds it; absent: as contents.scene
-  Ink saved_ink{};                 ///< the ink that the file holds
-  bool dirty = false;              ///< contents differ from saved_scene or saved_ink
-  std::uint64_t revision = 0;      ///< incremented with every change of contents.scene, to restart the 3-D image
+  std::string path;            ///< absolute; empty: never saved
+  std::optional<Scene> saved;  ///< the scene as the file holds it; absent: as contents.scene
+  Ink saved_ink{};             ///< the ink that the file holds
+  bool dirty = false;          ///< contents differ from saved_scene or saved_ink
+  std::uint64_t revision = 0;  ///< incremented with every change of contents.scene, to restart the 3-D image
   std::vector<std::shared_ptr<const Undone>> undo, redo;  ///< last in, first out; bounded (undo_entries, undo_bytes)
   std::shared_ptr<WorldCache>
       worlds;   ///< of contents.scene; replaced with each change of it, so that copies may share it
