@@ -287,7 +287,6 @@ TEST_CASE("beams stop between faces when they are asked to") {
   const BeamFaces faces(
       {face_of({{-1, 3, -1}, {1, 3, -1}, {0, 3, 1}}, 0), face_of({{-1, 5, -1}, {1, 5, -1}, {0, 5, 1}}, 1)});
   const BeamView view{Vec3d(0.0), {-1, 2, 1}, {2, 0, 0}, {0, 0, -2}};
-  const WindowPiece whole{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   CHECK(faces_seen(faces, view, whole).size() > 1);
   CHECK_THROWS_AS(faces_seen(faces, view, whole, nullptr, stop), Stopped);
   const auto stops = [](int) { return ShadowRole::stops; };
