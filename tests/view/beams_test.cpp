@@ -254,11 +254,12 @@ TEST_CASE("where a curved mirror decides, some rays are drawn as it reflects the
     std::vector<LineItem> away, back;
     for (const DisplayItem& item : plan_view(state))
       if (const auto* line = std::get_if<LineItem>(&item.shape);
-          line != nullptr && !(item.target.kind == TargetKind::ray))
+          line != nullptr && !(item.target.kind == TargetKind::ray)) {
         if (line->stroke.dash == dashes)
           back.push_back(*line);
         else if (line->stroke.colour == reflect)
           away.push_back(*line);
+      }
     const auto* ball = part.object < 0
                            ? nullptr
                            : std::get_if<Sphere<double>>(&scene.objects[static_cast<std::size_t>(part.object)].shape);
