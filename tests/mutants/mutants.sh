@@ -200,9 +200,10 @@ mutant strings_swapped radiosity trace/form_factor.cpp 'length(other->a - one->a
   'length(other->b - one->a) + length(other->a - one->b)'
 mutant strings_behind radiosity trace/form_factor.cpp 'if (a >= 0 && b >= 0) return edge;' 'return edge;'
 # --- Beams ------------------------------------------------------------------------------------------------------------
-mutant beams_reflected_the_other_way beams trace/unfolded_plan.cpp 'line.normal * (across * 2.0)' 'line.normal * (across * -2.0)'
-mutant beams_mirrors_in_the_wrong_order beams trace/unfolded_plan.cpp 'const ExactLine line = line_of((*outlines_)[static_cast<std::size_t>(mirrors_[i])]);' \
-  'const ExactLine line = line_of((*outlines_)[static_cast<std::size_t>(mirrors_[mirrors_.size() - 1 - i])]);'
+mutant beams_reflected_the_other_way beams trace/unfolded_plan.cpp 'point = point * mirror->size - normal * (across * mirror->twice);' \
+  'point = point * mirror->size + normal * (across * mirror->twice);'
+mutant beams_mirrors_in_the_wrong_order beams trace/unfolded_plan.cpp 'mirror = mirrors_.rbegin(); mirror != mirrors_.rend()' \
+  'mirror = mirrors_.begin(); mirror != mirrors_.end()'
 mutant beams_see_through_the_mirror beams trace/unfolded_plan.cpp 'static_cast<double>(at - *beyond) > alike * beyond->hi' 'at.hi > 0'
 mutant beams_farthest_first beams trace/unfolded_plan.cpp '(*least - *at) > alike' '(*at - *least) > alike'
 mutant beams_last_of_those_upon_each_other beams trace/unfolded_plan.cpp '!(static_cast<double>(*least - *at) > alike * least->hi)' \
