@@ -22,7 +22,7 @@ Expansion cross(const ExactPoint& a, const ExactPoint& b) { return a.x * b.y - a
 ExactPoint turned_left(const ExactPoint& a) { return {-a.y, a.x}; }
 
 /// The power of two that brings x, which is not 0, to [1, 2); or as near as a power does that is a normal number.
-double to_unit(double x) { return std::ldexp(1.0, std::clamp(-std::ilogb(x), -1000, 1000)); }
+double to_unit(double x) { return std::ldexp(1.0, -std::clamp(std::ilogb(x), -1000, 1000)); }
 
 /// With a normal of about unit length, whatever that of the outline is: products of several of them neither over- nor
 /// underflow. A power of two changes no bit of what is computed with it.
