@@ -81,6 +81,23 @@ TEST_CASE("half covered is one half") {
   CHECK(covered(with(Disk<double>{{5, 0, 0}, {1, 0, 0}, 0.3}), along_x(0, 0.1, false)) == Approx(0.36).epsilon(1e-9));
 }
 
+namespace {
+
+constexpr int rays_of_flat_cone = 20000;
+
+/// How many of as many rays of a flat cone meet a ball.
+int rays_that_meet(const Vec3d& centre, double radius, const RayCone& cone) {
+  int met = 0;
+  for (int i = 0; i < rays_of_flat_cone; ++i) {
+    const Vec2d place{(2 * i + 1.0) / rays_of_flat_cone - 1, 0};
+    const Vec3d direction = normalize(cone.direction(place)), to = centre - cone.start(place);
+    if (length(to - dot(to, direction) * direction) < radius && dot(to, direction) > 0) ++met;
+  }
+  return met;
+}
+
+}  // namespace
+
 TEST_CASE("in the plan the share of one object is how much of the cone's rays meet it") {
   for (int number = 0; number < 200; ++number) {
     const auto at = [&](std::uint32_t dimension) { return unit(number, dimension); };
@@ -89,15 +106,9 @@ TEST_CASE("in the plan the share of one object is how much of the cone's rays me
     const double radius = 0.1 + at(5);
     if (length(centre) <= radius + 0.4) continue;
     const double share = covered(with(Sphere<double>{centre, radius}), cone);
-    constexpr int rays = 20000;
-    int met = 0;
-    for (int i = 0; i < rays; ++i) {
-      const Vec2d place{(2 * i + 1.0) / rays - 1, 0};
-      const Vec3d direction = normalize(cone.direction(place)), to = centre - cone.start(place);
-      if (length(to - dot(to, direction) * direction) < radius && dot(to, direction) > 0) ++met;
-    }
+    const int met = rays_that_meet(centre, radius, cone);
     CAPTURE(number);
-    CHECK(share == Approx(static_cast<double>(met) / rays).margin(2.0 / rays));
+    CHECK(share == Approx(static_cast<double>(met) / rays_of_flat_cone).margin(2.0 / rays_of_flat_cone));
   }
 }
 
@@ -155,15 +166,9 @@ TEST_CASE("a wide cone meets a ball whose centre is level with its start or behi
     // Rays that start in the ball are another thing.
     if (length(Vec3d(centre.x, std::max(std::abs(centre.y) - cone.radius, 0.0), 0)) <= radius) continue;
     const double share = covered(with(Sphere<double>{centre, radius}), cone);
-    constexpr int rays = 20000;
-    int met = 0;
-    for (int i = 0; i < rays; ++i) {
-      const Vec2d place{(2 * i + 1.0) / rays - 1, 0};
-      const Vec3d direction = normalize(cone.direction(place)), to = centre - cone.start(place);
-      if (length(to - dot(to, direction) * direction) < radius && dot(to, direction) > 0) ++met;
-    }
+    const int met = rays_that_meet(centre, radius, cone);
     CAPTURE(number, centre.x, centre.y, radius, cone.radius, spread);
-    CHECK(share == Approx(static_cast<double>(met) / rays).margin(3.0 / rays));
+    CHECK(share == Approx(static_cast<double>(met) / rays_of_flat_cone).margin(3.0 / rays_of_flat_cone));
     level += met > 0 && centre.x <= 0;
     crossed += met > 0 && spread < 0;
   }
