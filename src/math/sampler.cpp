@@ -106,13 +106,18 @@ std::uint32_t owen_scrambled(std::uint32_t digits, std::uint32_t seed) {
   return digits;
 }
 
-/// By bit of the index, the digits that it flips in the second coordinate, first digit highest: S. Joe and F. Kuo's
-/// direction numbers (2008) of the polynomial x + 1 with m = 1. (The first coordinate is the index, its bits reversed.)
-constexpr std::array<std::uint32_t, 32> second_directions = [] {
-  std::array<std::uint32_t, 32> v{0x80000000u};
-  for (std::size_t i = 1; i < v.size(); ++i) v[i] = v[i - 1] ^ v[i - 1] >> 1;
-  return v;
-}();
+/// The second coordinate's digits from the index, both with the first at bit 0: digit j is the sum of those index bits i
+/// for which the binomial (i over j) is odd. That is Sobol' with S. Joe and F. Kuo's direction numbers (2008) of the
+/// polynomial x + 1 with m = 1. By E. Lucas (1878) the binomial is odd where the bits of j are among those of i, so that
+/// one bit of i at a time will do (A. Ahmed, "An Implementation Algorithm of 2D Sobol Sequence", EGSR 2024). The first
+/// coordinate's digits are the index itself.
+std::uint32_t second_digits(std::uint32_t index) {
+  index ^= index >> 1 & 0x55555555u;
+  index ^= index >> 2 & 0x33333333u;
+  index ^= index >> 4 & 0x0f0f0f0fu;
+  index ^= index >> 8 & 0x00ff00ffu;
+  return index ^ index >> 16;
+}
 
 /// The index of this sample's point: shuffled, so that dimension pairs are uncorrelated, while aligned blocks of 2^m
 /// stay together (B. Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020).
@@ -130,17 +135,13 @@ std::uint32_t draw_jittered(const RandomKey& key, std::uint32_t count) {
 }
 
 std::uint32_t draw_sobol(const RandomKey& key) {
-  // The first coordinate's digits, first at bit 0, are the index itself.
   return reversed(owen_scrambled(shuffled_index(key), stream(key, 2))) >> (32 - unit_bits);
 }
 
 DrawnPair draw_sobol_pair(const RandomKey& key) {
   const std::uint32_t index = shuffled_index(key);
-  std::uint32_t second = 0;
-  for (std::size_t bit = 0; bit < 32; ++bit)
-    if (index >> bit & 1) second ^= second_directions[bit];
   const std::uint32_t u = owen_scrambled(index, stream(key, 2));
-  const std::uint32_t v = owen_scrambled(reversed(second), stream(key, 3));
+  const std::uint32_t v = owen_scrambled(second_digits(index), stream(key, 3));
   return {reversed(u) >> (32 - unit_bits), reversed(v) >> (32 - unit_bits)};
 }
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace raywalk {
@@ -21,8 +20,7 @@ Bounds<double> box_of(const BeamFace& face) {
 
 /// The place of a window on a plane; far away where the plane is seen from nearly within.
 Vec3d place_on(const BeamView& view, const WindowLine& nearness, const Vec2d& place) {
-  const Vec3d direction = view.direction(place);
-  return view.eye + direction / std::max({nearness.at(place), nearness.slack, std::numeric_limits<double>::min()});
+  return view.eye + view.direction(place) / nearness.nearness(place);
 }
 
 /// Through the point at both ends of a side, on the side of `inner`.

@@ -8,6 +8,8 @@
 
 #include "math/vec.h"
 
+#include <algorithm>
+#include <limits>
 #include <vector>
 
 namespace raywalk {
@@ -18,6 +20,10 @@ struct WindowLine {
   double slack = 0;  ///< what is as near to 0 lies on the line: rounding may have moved it
 
   [[nodiscard]] double at(const Vec2d& place) const { return a * place.x + b * place.y + c; }
+  /// Of a line that says how near something is, as 1 / distance: towards a horizon it may be farther than a number says.
+  [[nodiscard]] double nearness(const Vec2d& place) const {
+    return std::max({at(place), slack, std::numeric_limits<double>::min()});
+  }
 };
 
 /// A convex polygon of a window; with less than three corners it is empty.

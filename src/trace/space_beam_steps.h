@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace raywalk {
@@ -194,10 +193,7 @@ void SpaceBeamTracer<T, Watcher>::meet(Part& part, const Beam& beam, const Vec2d
               camera_.shutter_open()};
   if (part.face < 0) return;
   const BeamFace& face = faces_[part.face];
-  // Towards the horizon it may be farther than a number says.
-  const double reached =
-      1 / std::max({part.nearness.at(place), part.nearness.slack, std::numeric_limits<double>::min()});
-  const Hit<T> hit{static_cast<T>((reached - start) * size), face.primitive, face.part};
+  const Hit<T> hit{static_cast<T>((1 / part.nearness.nearness(place) - start) * size), face.primitive, face.part};
   const detail::MiddleOfPart<T> ray{part.ray, part.number, beam.medium};
   detail::PatternOfPart<T> pattern{world_, part.has_mean};
   part.at = prepare_vertex<AllEffects>(world_, nested_, ray, hit, statistics_, pattern);

@@ -1,6 +1,7 @@
 #pragma once
 // How much a test tries.
 #include <cstddef>
+#include <cstdlib>
 
 namespace raywalk::test {
 
@@ -16,7 +17,7 @@ inline constexpr bool sanitized = false;
 inline constexpr bool sanitized = false;
 #endif
 
-#ifdef __OPTIMIZE__
+#ifdef NDEBUG  // tests themselves may be compiled without
 inline constexpr bool optimized = true;
 #else
 inline constexpr bool optimized = false;
@@ -30,6 +31,16 @@ inline constexpr bool optimized = false;
 /// are.
 [[nodiscard]] constexpr bool left_out(std::size_t number, std::size_t every) {
   return sanitized && number % every != 0;
+}
+
+/// Whether all is tried, however long it takes: `./run test --all`.
+[[nodiscard]] inline bool thorough() {
+  static const bool asked = std::getenv("RAYWALK_THOROUGH") != nullptr;
+  return asked;
+}
+/// Whether it is left to `./run test --all` without sanitizers: all but every `every`-th are, where neighbours are alike.
+[[nodiscard]] inline bool left_to_all(std::size_t number, std::size_t every) {
+  return !sanitized && !thorough() && number % every != 0;
 }
 
 }  // namespace raywalk::test

@@ -160,7 +160,7 @@ TEST_CASE("each lobe is drawn by its density") {
 TEST_CASE("no lobe gives back more than came", "[odds]") {
   std::size_t number = 0;
   for (const double degrees : {0.0, 20.0, 45.0, 70.0, 89.0}) {
-    if (left_out(number++, 5)) continue;
+    if (const std::size_t now = number++; left_out(now, 5) || left_to_all(now, 2)) continue;
     CAPTURE(degrees);
     const auto albedo = [&](auto&& set) {
       Bsdf<double> bsdf = surface(degrees);

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "support/catch.h"
+#include "support/effort.h"
 
 using namespace raywalk;
 using namespace raywalk::test;
@@ -87,6 +88,7 @@ TEST_CASE("each shape is drawn by the density that it tells, and fills the solid
       {"pentagon", Polygon<double>{{{-1, -0.5, 0}, {1, -0.5, 0}, {1.2, 0.3, 0}, {0, 1, 0}, {-1.2, 0.3, 0}}, {}}, false},
       {"box", Box<double>{{-0.5, -0.4, -0.3}, {0.6, 0.5, 0.4}}, false},
       {"prism", Prism<double>{{{-0.7, -0.6}, {0.8, -0.5}, {0.6, 0.7}, {-0.3, 0.8}}, 0.9}, false}};
+  std::size_t turn = 0;
   for (const Case& one : cases)
     for (const int mapped : {0, 1, 2}) {
       if (mapped == 2 && one.round) continue;
@@ -95,6 +97,7 @@ TEST_CASE("each shape is drawn by the density that it tells, and fills the solid
                                             : mapped == 1 ? turned
                                                           : sheared);
       for (const Vec3d& point : {Vec3d(1.5, 2, 2.5), Vec3d(-0.4, 2.6, -3)}) {
+        if (left_to_all(turn++, 3)) continue;
         const Counted counted = count(scene, point, 0.9);
         CHECK(counted.wrong == 0);
         CHECK(counted.met > 50);

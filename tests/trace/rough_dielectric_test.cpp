@@ -76,7 +76,7 @@ TEST_CASE("clear rough glass is not to be seen in even light, from both sides, h
     for (const double ior : {1.5, 2.4}) {
       for (const Side side : both_sides)
         for (const double cos : {1.0, 0.9, 0.75, 0.6, 0.3, 0.1, 0.02}) {
-          if (left_out(number++, 37)) continue;
+          if (const std::size_t now = number++; left_out(now, 37) || left_to_all(now, 3)) continue;
           const Glass& glass = glass_of(alpha, ior);
           CAPTURE(alpha, ior, static_cast<int>(side), cos);
           const Sums sums = glass_furnace(glass, side, cos, 1 << 14);

@@ -208,8 +208,8 @@ TEST_CASE("every step of every lesson has a link, of at most 2,000 letters, that
       update(state, action::GoToLessonStep{step});
       REQUIRE(state.lessons.step == step);
       longest = std::max(longest, page.size() + letters_of(state).size());
-      // All that is opened elsewhere is played there first: the first and the last step stand for the others.
-      if (step == 0 || step == entry.steps - 1) check_it_arrives(state);
+      // All that is opened elsewhere is played there first: the first or the last step stands for the others.
+      if (step == (lesson % 2 == 0 ? 0 : entry.steps - 1)) check_it_arrives(state);
     }
     update(state, action::LeaveLesson{});
   }
