@@ -9,6 +9,7 @@
 #
 # Results are kept in build/mutants. CXX chooses the compiler.
 set -uo pipefail
+export LC_ALL=C  # else bash counts letters where it looks for a line
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 work=$root/build/mutants
