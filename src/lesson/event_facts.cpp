@@ -155,6 +155,11 @@ struct Fact {
 constexpr std::array facts{
     Fact{"line", [](const Moment& at) -> Value { return std::string(pseudocode_of(at.event.line).text); }},
     Fact{"depth", [](const Moment& at) -> Value { return static_cast<double>(at.event.depth); }},
+    Fact{"called_depth",
+         [](const Moment& at) -> Value {
+           const auto* called = at.is<ShadeCalled>();
+           return called != nullptr ? Value(static_cast<double>(called->depth)) : Value(Nothing{});
+         }},
     Fact{"kind", kind_of},
     Fact{"ending", ending_of},
     Fact{"object", object_of},
