@@ -11,6 +11,8 @@
 #include "text/language.h"
 #include "trace/fault.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -37,6 +39,12 @@ struct NumberQuestion {
   double tolerance = 0;
   std::string unit;               ///< shown behind the number; may be empty
   std::optional<Formula> theory;  ///< the predicted value, if `answer` is measured
+
+  /// At the border of the tolerance both sides count: neither it nor the truth need be numbers of a computer.
+  [[nodiscard]] bool accepts(double guess, double truth) const {
+    constexpr double rounding = 1e-9;
+    return std::abs(guess - truth) <= tolerance + rounding * std::max(1.0, std::abs(truth));
+  }
 };
 /// Exactly one of the choices holds in the trace; their texts are in the files of words, in the same order.
 struct ChoiceQuestion {

@@ -219,7 +219,7 @@ class Player {
     const double* number = theory ? std::get_if<double>(&*theory) : nullptr;
     if (number == nullptr)
       return fail(question.theory->line, "theory: " + question.theory->text + " is no number here");
-    if (!(std::abs(*number - measured) <= question.tolerance))
+    if (!question.accepts(*number, measured))
       fail(question.theory->line,
            fmt::format("theory: {} is {:.9g}, and the trace has {:.9g}: farther apart than the tolerance {:.9g}",
                        question.theory->text, *number, measured, question.tolerance));

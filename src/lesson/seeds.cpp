@@ -137,10 +137,10 @@ class SeedsChecker {
     if (!tried.theory)
       return fail(tried,
                   fmt::format("predict: the answer hangs on random numbers{} (expected theory = 'FORMULA')", range));
-    const double within = tried.question->tolerance;
-    if (tried.least < *tried.theory - within || tried.most > *tried.theory + within)
+    const NumberQuestion& question = *tried.question;
+    if (!question.accepts(*tried.theory, tried.least) || !question.accepts(*tried.theory, tried.most))
       fail(tried, fmt::format("theory: {:.4g} is not within {:.4g} of the answer with every seed{}", *tried.theory,
-                              within, range));
+                              question.tolerance, range));
   }
 
   void fail(const Tried& tried, std::string message) {

@@ -325,6 +325,19 @@ TEST_CASE("an arrow is dragged in the plan, and judged by its angle") {
   CHECK(is_finite(plan_view(state, state.plan.viewport)));
 }
 
+TEST_CASE("both borders of a tolerance count as right, however the truth was rounded") {
+  NumberQuestion question{{"t", *Expression::parse("t")}, 0, "", std::nullopt};
+  for (const auto& [truth, tolerance] :
+       {std::pair(0.5, 0.05), std::pair(9.000000000000002, 1.0), std::pair(4.0, 0.0)}) {
+    question.tolerance = tolerance;
+    const double at = std::round(100 * truth) / 100;
+    for (const double side : {-1.0, 1.0}) {
+      CHECK(question.accepts(std::round(100 * (at + side * tolerance)) / 100, truth));
+      CHECK_FALSE(question.accepts(at + side * (tolerance + 0.001), truth));
+    }
+  }
+}
+
 TEST_CASE("a number counts as right within its tolerance") {
   for (const bool near : {true, false}) {
     State state = with_lessons();

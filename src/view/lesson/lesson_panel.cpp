@@ -99,8 +99,7 @@ std::optional<LessonVerdict> judge(const LessonRoom& sitting) {
   if (const auto* number = std::get_if<NumberQuestion>(&question)) {
     const std::optional<double> truth = number_of(sitting, *number);
     if (!truth || !sitting.guess.number) return std::nullopt;
-    const double error = std::abs(*sitting.guess.number - *truth);
-    return LessonVerdict{error <= number->tolerance, error};
+    return LessonVerdict{number->accepts(*sitting.guess.number, *truth), std::abs(*sitting.guess.number - *truth)};
   }
   if (std::holds_alternative<LineQuestion>(question)) {
     if (!sitting.guess.line || !step->walk->fault) return std::nullopt;
