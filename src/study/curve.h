@@ -38,7 +38,7 @@ class ErrorCurve {
   /// Requires at least two knobs there, and no value 0.
   [[nodiscard]] Estimate exponent(double low, double high) const;
 
-  /// With a 95% interval for each point by itself. `x`: of a knob, from its first round; default: the knob.
+  /// With a 95% interval for each point by itself. `x`: of a knob, the median over its rounds; default: the knob.
   [[nodiscard]] PlotSeries series(const std::string& name, const TrialValue& x = {}) const;
 
  private:

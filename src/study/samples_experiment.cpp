@@ -65,12 +65,7 @@ Report conclude_samples(const std::vector<Trial>& trials, double most) {
       const std::string series_law = smooth ? law.smooth_name : law.edge_name;
       series.law_name = series_law;
       plot.series.push_back(series);
-      const ErrorCurve seconds(trials, method, [](const Trial& t) { return t.cost.seconds; }, Pool::median);
-      const PlotSeries times = seconds.series(name);
-      for (std::size_t i = 0; i < series.points.size(); ++i) series.points[i].x = times.points[i].y;
-      series.law.reset();
-      series.law_name.clear();
-      cost.series.push_back(series);
+      cost.series.push_back(curve.series(name, [](const Trial& t) { return t.cost.seconds; }));
       constexpr double least = 16;
       Law judged{name + ", " + subject,
                  "error falls as " + series_law + ": " + law.why,

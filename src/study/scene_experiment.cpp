@@ -70,10 +70,7 @@ Report conclude_scene(const std::vector<Trial>& trials, double most) {
     const std::string name(name_of(sampler));
     const ErrorCurve curve(trials, name);
     PlotSeries series = curve.series(name);
-    PlotSeries timed = series;
-    const ErrorCurve seconds(trials, name, [](const Trial& t) { return t.cost.seconds; }, Pool::median);
-    for (std::size_t i = 0; i < timed.points.size(); ++i) timed.points[i].x = seconds.at(i);
-    time.series.push_back(std::move(timed));
+    time.series.push_back(curve.series(name, [](const Trial& t) { return t.cost.seconds; }));
     const bool random = sampler == Sampler::random;
     if (random) series.law = -0.5, series.law_name = "N^-1/2";
     plot.series.push_back(std::move(series));

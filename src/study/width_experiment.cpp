@@ -118,7 +118,7 @@ Report conclude_width(const std::vector<Trial>& trials) {
   for (std::size_t i = 0; i < subjects.size(); ++i) {
     Plot plot;
     plot.title = std::string("Error against time: ") + subjects[i];
-    plot.x_label = "seconds of one processor";
+    plot.x_label = "processor seconds a picture, median";
     plot.y_label = "root mean square error, of 0 to 1";
     for (const auto& [name, integrator] : methods) {
       const std::string method(name);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "math/random.h"
+#include "study/curve.h"
 #include "study/report.h"
 #include "support/catch.h"
 
@@ -125,6 +126,18 @@ TEST_CASE("medians and the order statistics around them") {
   CHECK(reach.high == 18);
   CHECK(median_interval({5}).low == 5);
   CHECK(median_interval({1, 2, 3}).high == 3);
+}
+
+TEST_CASE("a curve over time has at each knob the median of its rounds") {
+  std::vector<Trial> trials;
+  for (const double seconds : {9.0, 2.0, 1.0}) {
+    Trial trial{static_cast<int>(trials.size()), "method", 4, 0.5};
+    trial.cost.seconds = seconds;
+    trials.push_back(trial);
+  }
+  const ErrorCurve curve(trials, "method");
+  CHECK(curve.series("method", [](const Trial& trial) { return trial.cost.seconds; }).points.at(0).x == 2);
+  CHECK(curve.series("method").points.at(0).x == 4);
 }
 
 TEST_CASE("p and interval say the same") {
