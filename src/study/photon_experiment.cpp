@@ -145,7 +145,7 @@ Report conclude_photons(const std::vector<Trial>& trials, double fewest) {
   noise.x_label = "photons in the circle, k";
   noise.y_label = "root mean square error, share of the light";
   PlotSeries series = spread.series("k - 1 over the circle");
-  series.law = -0.5, series.law_name = "(k - 2)^-1/2";
+  series.law = -0.5, series.law_name = "k^-1/2";
   noise.series.push_back(series);
   noise.series.push_back(
       ErrorCurve(trials, "k", error_of, Pool::mean).series("k over the circle: what it is too bright"));
