@@ -151,6 +151,8 @@ class Describer {
             reflect ? "walk.reflect_threshold" : "walk.refract_threshold",
             {{"share", Fraction{max_component(stub.throughput)}}, {"threshold", Fraction{scene_.limits.threshold}}}};
       case Ending::path_length:
+      case Ending::wrong_side:
+        return {reflect ? "walk.reflect_wrong_side" : "walk.refract_wrong_side", {{"object", shaded()}}};
         return {"walk.path_length", {{"ray", stub.kind}}};
       case Ending::total_internal_reflection:
         return {"walk.totally_reflected", {{"object", shaded()}}};
@@ -206,6 +208,7 @@ class Describer {
       case Ending::total_internal_reflection:
       case Ending::path_length:
       case Ending::facing_away:
+      case Ending::wrong_side:
       case Ending::outside_cone:
         break;  // these rays are not formed
     }

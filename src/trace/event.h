@@ -37,6 +37,7 @@ enum class Ending {
   path_length,                ///< not formed: the path is as long as the path tracer allows
   facing_away,                ///< not formed: the light is behind the surface
   outside_cone,               ///< not formed: outside the cone of the spot
+  wrong_side,                 ///< not formed: the facet drawn of a rough surface sends it to the surface's other side
   scattered,                  ///< a medium scattered it before it met anything
 };
 template <>
@@ -50,8 +51,9 @@ inline constexpr Word<Ending> words_of<Ending>[] = {{Ending::hit, "hit"},
                                                     {Ending::path_length, "path_length"},
                                                     {Ending::facing_away, "facing_away"},
                                                     {Ending::outside_cone, "outside_cone"},
+                                                    {Ending::wrong_side, "wrong_side"},
                                                     {Ending::scattered, "scattered"}};
-inline constexpr int ending_count = 11;
+inline constexpr int ending_count = 12;
 
 /// The quadratic a t^2 + b t + c of a sphere (roots NaN when there are none).
 struct QuadraticNumbers {

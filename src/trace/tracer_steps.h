@@ -332,7 +332,7 @@ inline auto Tracer<Policy>::form_secondary_ray(Line line, int depth, const Shadi
   if constexpr (Policy::effects.microfacets) {
     if (draws_facet(at, kind)) {
       throughput = weighed();
-      if (is_black(throughput)) return not_formed(Ending::threshold);  // into the surface
+      if (is_black(weight)) return not_formed(Ending::wrong_side);
     }
   }
   TreeRay formed(spawn_ray<Ray>(world_, at.position, at.geometric_normal(), at.departure, direction, parent.ray.time),

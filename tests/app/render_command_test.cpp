@@ -208,9 +208,9 @@ TEST_CASE("the statistics hold what is promised, and add up") {
     endings += ended.at(ending).get<std::uint64_t>();
   CHECK(formed == endings);
   for (const std::string ending :
-       {"depth", "threshold", "total_internal_reflection", "path_length", "facing_away", "outside_cone"})
+       {"depth", "threshold", "total_internal_reflection", "path_length", "facing_away", "outside_cone", "wrong_side"})
     CHECK(ended.at(ending).is_number_unsigned());
-  CHECK(ended.size() == 11);
+  CHECK(ended.size() == 12);
   CHECK(json.at("tests").at("primitives").get<std::uint64_t>() > 0);
   CHECK(json.at("tests").at("nodes").is_number_unsigned());
   const auto exactly = json.at("tests").at("exactly_decided").get<std::uint64_t>();

@@ -41,10 +41,10 @@ inline constexpr std::array<std::string_view, 27> path_messages{"walk.path_calle
                                                                 "walk.next_formed"};
 
 /// Of rough surfaces alone.
-inline constexpr std::array<std::string_view, 8> rough_messages{
-    "walk.direction_small_mirror", "walk.next_counts",          "walk.photon_small_mirror",
-    "walk.direction_small_facet",  "walk.direction_rough_matt", "walk.photon_small_facet",
-    "walk.refract_formed_facet",   "walk.refract_formed_facets"};
+inline constexpr std::array<std::string_view, 9> rough_messages{
+    "walk.direction_small_mirror", "walk.direction_small_facet", "walk.direction_rough_matt",
+    "walk.photon_small_mirror",    "walk.photon_small_facet",    "walk.refract_formed_facet",
+    "walk.refract_formed_facets",  "walk.reflect_wrong_side",    "walk.refract_wrong_side"};
 
 /// Of PHOTON MAPPING alone.
 inline constexpr std::array<std::string_view, 36> photon_messages{

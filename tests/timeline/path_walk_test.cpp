@@ -151,7 +151,8 @@ TEST_CASE("of rough glass and of what is matt and rough it is said by what light
        {std::pair(Integrator::path, std::set<std::string_view>{"walk.direction_small_facet",
                                                                "walk.direction_rough_matt", "walk.next_counts"}),
         std::pair(Integrator::distributed,
-                  std::set<std::string_view>{"walk.refract_formed_facet", "walk.refract_formed_facets"}),
+                  std::set<std::string_view>{"walk.refract_formed_facet", "walk.refract_formed_facets",
+                                             "walk.reflect_wrong_side", "walk.refract_wrong_side"}),
         std::pair(Integrator::photons, std::set<std::string_view>{"walk.photon_small_facet"})}) {
     scene.render.integrator = integrator;
     const Timeline timeline = record_strip(scene, {Precision::double_, {8}});

@@ -40,7 +40,7 @@ TEST_CASE("names of endings and ray kinds are those of the statistics file") {
   for (int i = 0; i < ending_count; ++i) names.insert(name_of(static_cast<Ending>(i)));
   CHECK(names == std::set<std::string_view>{"hit", "missed", "blocked", "reached_light", "depth", "threshold",
                                             "total_internal_reflection", "path_length", "facing_away", "outside_cone",
-                                            "scattered"});
+                                            "wrong_side", "scattered"});
   std::set<std::string_view> kinds;
   for (int i = 0; i < ray_kind_count; ++i) kinds.insert(name_of(static_cast<RayKind>(i)));
   CHECK(kinds == std::set<std::string_view>{"primary", "shadow", "reflect", "refract", "photon", "beam"});
@@ -110,6 +110,19 @@ TEST_CASE("a ray whose share of the pixel is below the threshold is not formed")
   scene.limits.threshold = 0;
   scene.limits.depth = 2000;
   CHECK(count(scene).formed(RayKind::reflect) == 1999);
+}
+
+TEST_CASE("a ray that a facet would send into its surface is no ray below the threshold") {
+  Material rough;
+  rough.diffuse = Rgbd(0.0), rough.reflection = Rgbd(1.0), rough.roughness = 1;
+  Scene scene = looking({}, {0, 0, 1}, {4, 0, 0});
+  scene.objects = {object("Floor", Plane<double>{{0, 0, 0}, {0, 0, 1}}, rough)};
+  scene.render.integrator = Integrator::distributed;
+  scene.limits.threshold = 0;
+  const Statistics statistics = picture<double>(scene, 16, 16).statistics;
+  CHECK(statistics.ends(Ending::threshold) == 0);
+  CHECK(statistics.ends(Ending::wrong_side) > 0);
+  CHECK(statistics.formed(RayKind::reflect) + statistics.ends(Ending::wrong_side) == statistics.ends(Ending::hit));
 }
 
 TEST_CASE("a ray not formed is shown as where it would have gone") {

@@ -42,8 +42,10 @@ Legend legend(const State& state) {
   const auto has_lobe = [](const Object& object) {
     return object.material.is_rough() || object.material.is_rough_diffuse();
   };
-  if (std::any_of(scene.objects.begin(), scene.objects.end(), has_lobe))
+  if (std::any_of(scene.objects.begin(), scene.objects.end(), has_lobe)) {
+    sign(Ending::wrong_side, "ending.wrong_side");
     legend.signs.push_back({"-<", str(state, "legend.sign_lobe")});
+  }
   if (scene.sky) legend.signs.push_back({"( )", str(state, "legend.sign_ring")});
   if (state.walk.timeline->of_radiosity()) legend.signs.push_back({"( )", str(state, "legend.sign_patches")});
   return legend;

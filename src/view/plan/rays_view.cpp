@@ -168,8 +168,10 @@ std::optional<Prominence> prominence_of(const State& state, const RaysShown& sho
   if (ray.pixel < shown.first_pixel || !state.legend.shows(ray.kind)) return std::nullopt;
   if (index == shown.current) return Prominence::current;
   if (ray.pixel == shown.pixel) return Prominence::of_pixel;
-  // A light that cannot reach the surface is not a limit: its stub is shown only with its pixel.
-  if (!ray.formed && (ray.ending == Ending::facing_away || ray.ending == Ending::outside_cone)) return std::nullopt;
+  // What no limit prevented is shown only with its pixel.
+  const bool by_itself =
+      ray.ending == Ending::facing_away || ray.ending == Ending::outside_cone || ray.ending == Ending::wrong_side;
+  if (!ray.formed && by_itself) return std::nullopt;
   switch (shown.others) {
     case Earlier::shown:
       return Prominence::earlier;

@@ -45,6 +45,7 @@ Target met_by(const RayRecord& ray) {
     case Ending::facing_away:
     case Ending::outside_cone:
       return {};
+    case Ending::wrong_side:
   }
   return {};
 }

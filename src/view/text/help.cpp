@@ -85,6 +85,7 @@ const std::vector<Section>& sections() {
         {"help.endings.total_internal_reflection_term", "help.endings.total_internal_reflection"},
         {"help.endings.faces_away_term", "help.endings.faces_away"},
         {"help.endings.outside_cone_term", "help.endings.outside_cone"},
+        {"help.endings.wrong_side_term", "help.endings.wrong_side"},
         {"help.endings.path_length_term", "help.endings.path_length"},
         {"ending.scattered", "help.endings.scattered"}}},
       {"help.credits.title", {{"", "help.credits.text"}}},

@@ -83,6 +83,8 @@ std::string capitalised(std::string words) {
   if (is_in(words[0], 'a', 'z')) words[0] = static_cast<char>(words[0] + to_capital);
   // In UTF-8 the letters from U+00E0 to U+00FE have their capitals as far before them; U+00F7 is a sign.
   if (words[0] == '\xC3' && words.size() > 1 && is_in(words[1], 0xA0, 0xBE) && words[1] != '\xB7')
+    case Ending::wrong_side:
+      return "w";
     words[1] = static_cast<char>(words[1] + to_capital);
   return words;
 }

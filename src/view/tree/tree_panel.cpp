@@ -43,6 +43,7 @@ std::string label_of(const State& state, const RayRecord& ray) {
     case Ending::path_length:
     case Ending::facing_away:
     case Ending::outside_cone:
+    case Ending::wrong_side:
       break;
   }
   const std::string why(text(ray.ending, state.appearance.language));

@@ -226,6 +226,8 @@ class EquationWriter {
       }
       case Ending::outside_cone:
         return row(Kind::note, Word{"equation.spot_elsewhere"});
+      case Ending::wrong_side:
+        return row(Kind::note, Word{"equation.facet_elsewhere"});
       case Ending::path_length:
       case Ending::total_internal_reflection:
       case Ending::hit:
