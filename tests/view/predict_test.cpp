@@ -4,6 +4,7 @@
 #include "fixtures.h"
 #include "support/catch.h"
 #include "text/file.h"
+#include "timeline/message.h"
 #include "view/walk/asked.h"
 
 #include <cmath>
@@ -84,10 +85,16 @@ TEST_CASE("an arrow is dragged from the ring, the step that forms the ray judges
   CHECK(prediction_sentence(state).find(std::to_string(static_cast<int>(std::abs(degrees)))) != std::string::npos);
   // The ray, the guess and its angle stand there now.
   CHECK(plan_view(state, state.plan.viewport).size() > drawn_open);
-  // Back before the answer the guess is not shown again, nor counted twice.
+  // Back before the answer the guess is not shown again, nor counted twice; nor is one by who has seen the answer.
   update(state, action::Step{false});
   update(state, action::Step{});
   CHECK(state.predictions.made.size() == 1);
+  update(state, action::Step{false});
+  update(state, action::GuessWay{origin + plan(ray.direction)});
+  update(state, action::Step{});
+  CHECK(state.predictions.made.size() == 1);
+  REQUIRE(state.predictions.judged.size() == 1);
+  CHECK(state.predictions.judged[0].right);
 }
 
 TEST_CASE("a click whose pointer has left before it ended counts where it began") {
@@ -134,12 +141,35 @@ TEST_CASE("what a ray meets is clicked: a body, a light, or the empty plan, what
   CHECK(state.predictions.open->met == Target{TargetKind::object, glass});
   CHECK(prediction_sentence(state).find("Transparent Sphere") != std::string::npos);
   update(state, action::Step{});
-  CHECK_FALSE(state.predictions.made.back().right);
+  CHECK_FALSE(state.predictions.judged.back().right);
   // What no ray can meet is no guess.
   to_question(state, PredictionKind::end, RayKind::primary);
   update(state, action::GuessEnd{{TargetKind::eye}});
   update(state, action::GuessEnd{{TargetKind::object, 99}});
   CHECK_FALSE(state.predictions.open);
+}
+
+TEST_CASE("of a path a shadow ray meets the object that it was aimed at, or the sky, where nothing is clicked") {
+  const auto [name, message] = GENERATE(std::pair("radiosity", "walk.object_seen"), std::pair("gold", "walk.sky_seen"));
+  State state = state_of([&, name = name] {
+    Scene scene = read_document(std::string(RAYWALK_SOURCE_DIR) + "/scenes/" + name + ".toml").scene;
+    scene.render.integrator = Integrator::path;
+    return scene;
+  }());
+  update(state, action::SetPredictions{true});
+  int seen = 0;
+  for (int position = 0; position < state.walk.timeline->steps() && seen < 3; ++position) {
+    if (describe(state.scene(), *state.walk.timeline, position + 1).id != message) continue;
+    update(state, action::Jump{position});
+    const bool in_sky = std::string_view(message) == "walk.sky_seen";
+    update(state,
+           action::GuessEnd{in_sky ? Target{} : Target{TargetKind::object, index_of_object(state.scene(), "Lamp")}});
+    REQUIRE(state.predictions.open);
+    update(state, action::Step{});
+    CHECK(state.predictions.made.back().right);
+    ++seen;
+  }
+  CHECK(seen == 3);
 }
 
 TEST_CASE("AUTO, held steps, runs and large steps come to rest where a ray is to be predicted") {

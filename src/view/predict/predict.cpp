@@ -35,8 +35,9 @@ Target met_by(const RayRecord& ray) {
     case Ending::scattered:
     case Ending::blocked:
       return {TargetKind::object, ray.object};
-    case Ending::reached_light:
-      return {TargetKind::light, ray.light};
+    case Ending::reached_light:  // a lamp, an object that gives off light, or the sky, where nothing can be clicked
+      if (ray.light >= 0) return {TargetKind::light, ray.light};
+      return ray.object >= 0 ? Target{TargetKind::object, ray.object} : Target{};
     case Ending::missed:
     case Ending::depth:
     case Ending::threshold:
@@ -44,8 +45,8 @@ Target met_by(const RayRecord& ray) {
     case Ending::path_length:
     case Ending::facing_away:
     case Ending::outside_cone:
-      return {};
     case Ending::wrong_side:
+      return {};
   }
   return {};
 }
@@ -170,7 +171,9 @@ void PredictRoom::follow(State& state, const Before&) {
   } else {
     judged.right = judged.met == met_by(ray);
   }
+  const bool seen = std::erase_if(predictions.judged, [&](const Prediction& one) { return one.of == asked; }) > 0;
   predictions.judged.push_back(judged);
+  if (seen) return;  // whoever guesses again has seen the answer
   predictions.made.push_back(
       {state.document.path, answered_at(state, asked), ray.kind, asked.what, judged.degrees, judged.right});
 }
