@@ -22,9 +22,7 @@ int reached(const Timeline& timeline, int position) {
   if (event == nullptr) return 0;
   const auto* called = std::get_if<ShadeCalled>(&event->detail);
   if (called != nullptr && !called->missed) return called->depth;
-  const bool forms_next = event->line == Line::form_next_ray || event->line == Line::photon_form_next_ray ||
-                          event->line == Line::gather_form_next_ray;
-  return event->depth + (forms_next ? 1 : 0);
+  return depth_after(*event);
 }
 
 bool is_total(const EventDetail& detail) {
@@ -33,6 +31,12 @@ bool is_total(const EventDetail& detail) {
 }
 
 }  // namespace
+
+int depth_after(const Event& event) {
+  const bool forms_next = event.line == Line::form_next_ray || event.line == Line::photon_form_next_ray ||
+                          event.line == Line::gather_form_next_ray;
+  return event.depth + (forms_next ? 1 : 0);
+}
 
 int step_over(const Timeline& timeline, int position) {
   if (position >= timeline.steps()) return position;

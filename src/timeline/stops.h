@@ -10,6 +10,9 @@
 
 namespace raywalk {
 
+/// Event::depth; after a line that forms the next ray of a path, with this ray.
+[[nodiscard]] int depth_after(const Event& event);
+
 // Stepping by calls. Each returns a position; at the ends it stays.
 
 /// After the next line and any SHADE that it calls.

@@ -14,6 +14,22 @@
 using namespace raywalk;
 using namespace raywalk::test;
 
+namespace {
+
+/// How many rays the path has whose line has just run.
+int rays_of_path(const State& state) {
+  int rays = 0;
+  for (int i = state.walk.position - 1; i >= 0; --i) {
+    const auto* formed = std::get_if<RayFormed>(&state.walk.timeline->event(i).detail);
+    if (formed == nullptr || formed->kind == RayKind::shadow) continue;
+    ++rays;
+    if (formed->kind == RayKind::primary) break;
+  }
+  return rays;
+}
+
+}  // namespace
+
 TEST_CASE("the code panel highlights the timeline's line at every position") {
   for (State state : {classic_state(), busy_state()}) {
     for (int position = 0; position <= state.walk.timeline->steps(); ++position) {
@@ -54,10 +70,12 @@ TEST_CASE("a walk of paths has its own pseudocode, call and return") {
     int highlighted = 0;
     for (const CodeBox& box : code_panel(state).boxes) {
       for (const CodeRow& row : box.rows) highlighted += row.just_run && row.line == ran.line;
-      if (box.depth.value_or(0) > 0) CHECK(box.badge == "RAY " + std::to_string(ran.depth));
+      if (box.depth.value_or(0) > 0) CHECK(box.badge == "RAY " + std::to_string(rays_of_path(state)));
     }
     CHECK(highlighted == 1);
     const StackPanel stack = stack_panel(state);
+    if (stack.rows.size() > 1)
+      CHECK_THAT(stack.rows[0].title, contains("(ray " + std::to_string(rays_of_path(state)) + ")"));
     CHECK(stack.rows.back().title == "PATH TRACING");
     CHECK(stack.rows.size() == state.walk.timeline->stack(position).size() + 1);
     CHECK_FALSE(sentence(state).empty());

@@ -1,7 +1,9 @@
 #include "view/stack/stack_panel.h"
+#include "timeline/stops.h"
 #include "view/text/shown.h"
 #include "view/text/text.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace raywalk {
@@ -94,17 +96,17 @@ StackPanel stack_panel(const State& state) {
   const Event* ran = timeline.just_run(state.walk.position);
   const bool returning = ran != nullptr && ran->line == Line::compute_rtnshade;
   if (returning) calls.insert(calls.begin(), timeline.current_frame(state.walk.position));
+  const int rays_of_path = ran == nullptr ? 1 : std::max(depth_after(*ran), 1);  // it is called with its first
   for (const int call : calls) {
     const FrameRecord& frame = timeline.frames()[static_cast<std::size_t>(call)];
     const int ray_index = timeline.of_paths() ? on_path(timeline, state.walk.position) : frame.ray;
     const RayRecord& ray = ray_of(timeline, ray_index);
     StackRow row;
-    row.title = timeline.of_paths()
-                    ? fill("stack.path", state.appearance.language, {{"ray", ran == nullptr ? 1 : ran->depth}})
-                    : fill(timeline.of_beams()   ? "stack.shade_parts"
-                           : timeline.of_cones() ? "stack.shade_cone"
-                                                 : "stack.shade",
-                           state.appearance.language, {{"depth", frame.depth}});
+    row.title = timeline.of_paths() ? fill("stack.path", state.appearance.language, {{"ray", rays_of_path}})
+                                    : fill(timeline.of_beams()   ? "stack.shade_parts"
+                                           : timeline.of_cones() ? "stack.shade_cone"
+                                                                 : "stack.shade",
+                                           state.appearance.language, {{"depth", frame.depth}});
     row.ray = ray_text(state, ray);
     row.ray_index = ray_index;
     if (ray.object >= 0) row.object = object_name(state, ray.object);

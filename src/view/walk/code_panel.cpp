@@ -1,4 +1,5 @@
 #include "view/walk/code_panel.h"
+#include "timeline/stops.h"
 #include "view/text/text.h"
 #include "view/walk/asked.h"
 #include "view/walk/fault.h"
@@ -53,7 +54,8 @@ CodePanel code_panel(const State& state) {
     CodeBox& box = panel.boxes[i];
     box.procedure = procedures[i];
     box.title = text(box.procedure, state.appearance.code_language());
-    if (just_run != nullptr && pseudocode_of(just_run->line).procedure == box.procedure) box.depth = just_run->depth;
+    if (just_run != nullptr && pseudocode_of(just_run->line).procedure == box.procedure)
+      box.depth = depth_after(*just_run);
     if (box.depth.value_or(0) > 0)
       box.badge = fill(code.recursive ? "code.depth_badge" : "code.rays_badge", state.appearance.language,
                        {{"number", *box.depth}});
