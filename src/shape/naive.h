@@ -146,6 +146,7 @@ template <class T, QuadricKind Kind, class Explain = NoExplanation>
   };
   if (quadric.capped && std::isfinite(quadric.z_min)) meet_cap(quadric.z_min, Part::low_cap);
   if (quadric.capped && std::isfinite(quadric.z_max)) meet_cap(quadric.z_max, Part::high_cap);
+  detail::explain_cap(quadric, static_cast<double>(o.z), static_cast<double>(d.z), nearest, explain);
   return nearest;
 }
 

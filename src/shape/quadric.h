@@ -194,6 +194,16 @@ template <class T, QuadricKind Kind>
   return std::nullopt;
 }
 
+/// A cap that is met is a plane: its numbers take the place of the wall's. `o`, `d`: the ray's along the axis.
+template <class T, QuadricKind Kind, class Explain>
+void explain_cap(const Quadric<T, Kind>& quadric, double o, double d, const std::optional<Intersection<T>>& met,
+                 Explain& explain) {
+  using Part = Quadric<T, Kind>;
+  if constexpr (std::decay_t<Explain>::wanted)
+    if (met && met->part != Part::wall)
+      explain.plane(static_cast<double>(met->part == Part::low_cap ? quadric.z_min : quadric.z_max) - o, d);
+}
+
 }  // namespace detail
 
 template <class T, QuadricKind Kind, class Explain>
@@ -221,7 +231,9 @@ std::optional<Intersection<T>> intersect(const Quadric<T, Kind>& quadric, const 
   const bool sure = wall.sure && wall.sure_about(slab_in) && wall.sure_about(slab_out);
   if (!sure) {
     note_exact(explain);
-    return detail::intersect_exactly(quadric, ray, t_max, departed_part);
+    const auto met = detail::intersect_exactly(quadric, ray, t_max, departed_part);
+    detail::explain_cap(quadric, o.z, d.z, met, explain);
+    return met;
   }
   std::optional<Intersection<T>> nearest;
   const auto consider = [&](double t_wide, int part) {
@@ -236,6 +248,7 @@ std::optional<Intersection<T>> intersect(const Quadric<T, Kind>& quadric, const 
     if (wall.roots.inside(slab_in)) consider(slab_in, in_part);
     if (wall.roots.inside(slab_out)) consider(slab_out, out_part);
   }
+  detail::explain_cap(quadric, o.z, d.z, nearest, explain);
   return nearest;
 }
 

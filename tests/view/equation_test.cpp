@@ -160,6 +160,31 @@ TEST_CASE("a quadratic is solved by the root that is taken, and the note says wh
   CHECK(second > 0);
 }
 
+TEST_CASE("where a surface is cut off the note says so, and a cap is a plane") {
+  State state = walking("quadrics");
+  int cut = 0, capped = 0;
+  for (const auto& [column, row] : {std::pair{120, 180}, std::pair{780, 140}}) {
+    update(state, action::WalkPixel{column, row, {961, 601}});
+    for (int position = 1; position <= state.walk.timeline->steps(); ++position) {
+      const auto* found = std::get_if<Found>(&state.walk.timeline->event(position - 1).detail);
+      if (found == nullptr || found->object < 0) continue;
+      state.walk.position = position;
+      const EquationPanel panel = equation_panel(state);
+      if (const auto* q = std::get_if<QuadraticNumbers>(&found->numbers)) {
+        const bool behind_cut = found->t > q->t0 + 1e-6 && q->t0 > 1e-6;
+        CHECK((row_with(panel, "cut off") != nullptr) == behind_cut);
+        CHECK((found->t == Approx(q->t0) || found->t == Approx(q->t1)));
+        cut += behind_cut ? 1 : 0;
+      } else if (const auto* p = std::get_if<PlaneNumbers>(&found->numbers)) {
+        CHECK(found->t == Approx(p->numerator / p->denominator));
+        capped += found->object == index_of_object(state.scene(), "Cylinder") ? 1 : 0;
+      }
+    }
+  }
+  CHECK(cut > 0);
+  CHECK(capped > 0);
+}
+
 TEST_CASE("both sides of Snell's law are equal, and the mirror's angle is the one that it came with") {
   State state = walking("glass");
   int bent = 0, mirrored = 0;

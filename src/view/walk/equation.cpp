@@ -263,8 +263,11 @@ class EquationWriter {
     row(Kind::numbers, "t₀ = ", q.t0, between, "t₁ = ", q.t1);
     const auto is = [&](double root) { return std::abs(t - root) <= 1e-9 * std::max(std::abs(t), std::abs(root)); };
     if (is(q.t0)) return row(Kind::note, Word{"equation.nearer_root"});
+    constexpr double nearly_zero = 1e-9;
     if (is(q.t1))
-      row(Kind::note, q.t0 < -1e-9 ? Word{"equation.other_root_behind"} : Word{"equation.other_root_is_start"});
+      row(Kind::note, q.t0 < -nearly_zero   ? Word{"equation.other_root_behind"}
+                      : q.t0 <= nearly_zero ? Word{"equation.other_root_is_start"}
+                                            : Word{"equation.other_root_cut_off"});
   }
   void solve(const PlaneNumbers& p, double /*t*/) {
     if (!std::isfinite(p.numerator)) return;
