@@ -65,12 +65,13 @@ class Describer {
     const int index = shaded_index();
     return index < 0 ? Material{} : scene_.objects[static_cast<std::size_t>(index)].material;
   }
-  /// Whether what a ray brings that leaves the surface may count for more than the pixel. The flat world of photons
-  /// takes matt surfaces as smooth.
-  [[nodiscard]] bool may_count_more(const Event& event, RayKind kind) const {
-    const Material material = shaded_material();
-    if (kind == RayKind::refract) return material.is_rough_glass();
-    return material.is_rough() || (material.is_rough_diffuse() && event.line == Line::form_next_ray);
+  /// Whether the current ray met the body that the ray before it had left: of a group, the same one.
+  [[nodiscard]] bool met_itself(const Found& found) const {
+    if (current().parent < 0) return false;
+    const RayRecord& before = ray(current().parent);
+    const Event* event = timeline_.just_run(before.found_at);
+    const auto* left = event != nullptr ? std::get_if<Found>(&event->detail) : nullptr;
+    return before.object == found.object && (left == nullptr || left->member == found.member);
   }
 
   /// Whether a refract ray was turned by a small facet: no smooth surface turns it so.
@@ -171,8 +172,7 @@ class Describer {
     const HitObject met{object(found.object), found.member, found.triangle};
     switch (found.ending) {
       case Ending::hit: {
-        const bool from_inside =
-            dot(found.normal, record.direction) > 0 && record.parent >= 0 && ray(record.parent).object == found.object;
+        const bool from_inside = dot(found.normal, record.direction) > 0 && met_itself(found);
         return {from_inside ? "walk.left_through_surface" : "walk.found_hit",
                 {{"ray", record.kind}, {"object", met}, {"distance", length(found.point - record.origin)}}};
       }
@@ -191,8 +191,7 @@ class Describer {
       case Ending::blocked: {
         if (record.light == light_of_sky) return {"walk.sky_hidden", {{"object", met}}};
         if (record.light < 0) return {"walk.object_hidden", {{"object", met}}};
-        const bool by_itself = ray(record.parent).object == found.object;
-        return {by_itself ? "walk.light_blocked_by_itself" : "walk.light_blocked",
+        return {met_itself(found) ? "walk.light_blocked_by_itself" : "walk.light_blocked",
                 {{"light", light(record.light)}, {"object", met}}};
       }
       case Ending::reached_light:

@@ -59,6 +59,7 @@ Found PathTracer<Policy>::describe_exit(const PathRay& ray) const {
   found.numbers =
       DipoleNumbers{static_cast<double>(exit.distance), Rgbd(exit.dipole->diffuse_reflectance(exit.distance)),
                     Rgbd(exit.dipole->total_reflectance())};
+  found.member = world_.piece(exit.departure.primitive).member;
   return found;
 }
 

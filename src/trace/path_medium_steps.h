@@ -15,14 +15,14 @@ struct MediumDimension {
   static constexpr std::uint32_t channel = 0, distance = 1, direction = 2;
 };
 
-/// The object whose body a medium is in.
+/// A primitive of the body that a medium is in; -1 if none.
 template <class T>
-[[nodiscard]] int object_of(const World<T>& world, const typename World<T>::Medium* medium) {
+[[nodiscard]] int primitive_of(const World<T>& world, const typename World<T>::Medium* medium) {
   for (int id = 0; id < world.accelerator.primitives().own_size(); ++id) {
     if (!world.surface(id).scatters()) continue;
     if (world.bodies.empty() ? medium == &world.surface(id)
                              : NestedMedia<T>::bodies_in(medium).back() == world.bodies.of_primitive(id))
-      return world.object(id);
+      return id;
   }
   return -1;
 }
@@ -90,7 +90,11 @@ auto PathTracer<Policy>::scatter(const PathRay& ray, const Free& free) const -> 
 
 template <class Policy>
 Found PathTracer<Policy>::describe_scattered(const PathRay& ray, const Free& free) const {
-  Found found{ray.number, Ending::scattered, static_cast<double>(free.length), detail::object_of(world_, free.medium)};
+  Found found{ray.number, Ending::scattered, static_cast<double>(free.length)};
+  if (const int of_body = detail::primitive_of(world_, free.medium); of_body >= 0) {
+    found.object = world_.object(of_body);
+    found.member = world_.piece(of_body).member;
+  }
   found.point = Vec3d(ray.ray.origin + free.length * ray.ray.direction);
   found.normal = -Vec3d(ray.ray.direction);
   return found;

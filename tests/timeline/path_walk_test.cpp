@@ -275,6 +275,26 @@ TEST_CASE("a hit is named to the triangle of a mesh and the member of a group") 
   scene.objects[1].transform = {TransformStep{Translate{{0, -3.3, -0.5}}}};
   CHECK(met(2) == HitObject{"Panel", "", 1});
   scene.objects[0].transform = {TransformStep{Translate{{0, 0.3, -0.7}}}};
+  // What hides a light is the body itself only where it is the same member.
+  Material glass;
+  glass.transmission = Rgbd(1.0);
+  const auto two = std::make_shared<const GroupContent>(
+      Group{"two", {{"Big", Sphere<double>{{0, 0, 0}, 1}, glass}, {"Small", Sphere<double>{{-2.5, 1.5, 0}, 0.3}, {}}}});
+  scene.objects = {{"Two", Instance{"two", two}, {}}};
+  scene.lights = {{"Lamp", Rgbd(1.0), PointLight{{-4, 3, 0}, {}}}};
+  const Timeline timeline = record_cell(scene, 1);
+  int hidden = 0, inside = 0;
+  for (int position = 1; position <= timeline.steps(); ++position) {
+    const Message message = describe(scene, timeline, position);
+    const auto names = [&](const HitObject& named) {
+      return std::get<HitObject>(message.arguments.at(1).value) == named ? 1 : 0;
+    };
+    if (message.id == "walk.light_blocked") hidden += names({"Two", "Small"});
+    if (message.id == "walk.left_through_surface") inside += names({"Two", "Big"});
+    if (message.id == "walk.light_blocked_by_itself") CHECK(names({"Two", "Big"}) == 1);
+  }
+  CHECK(hidden > 0);
+  CHECK(inside > 0);
   CHECK(met(1) == HitObject{"Twins", "Sheet", 1});
   // What is an object by itself needs no more words.
   scene.objects = {{"Twin", Sphere<double>{{0, 0, 0}, 1}, {}}};
