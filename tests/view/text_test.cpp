@@ -56,6 +56,15 @@ TEST_CASE("numbers are short") {
   CHECK(colour_text(Rgbd(0.25, 0.5, 1), in_english) == "(0.25, 0.5, 1)");
 }
 
+TEST_CASE("what is less than a threshold never reads as equal to it") {
+  const Message below{"walk.reflect_threshold", {{"share", Fraction{0.0156}}, {"threshold", Fraction{0.016}}}};
+  CHECK_THAT(sentence_of(Scene(), below, in_english),
+             contains("only 1.56% of the pixel, less than the threshold of 1.60%"));
+  CHECK_THAT(sentence_of(Scene(), below, in_portuguese), contains("1,56%"));
+  const Message far{"walk.reflect_threshold", {{"share", Fraction{0.2}}, {"threshold", Fraction{0.5}}}};
+  CHECK_THAT(sentence_of(Scene(), far, in_english), contains("only 20% of the pixel, less than the threshold of 50%"));
+}
+
 TEST_CASE("numbers are written as the language writes them") {
   CHECK(number_text(-1.23456, in_portuguese) == "\u22121,23");
   CHECK(percent_text(0.0023, in_portuguese) == "0,2%");

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace raywalk {
 
@@ -20,12 +21,26 @@ std::string met_text(const Scene& scene, const HitObject& met, Language language
   return name;
 }
 
-std::string value_text(const Scene& scene, const Argument& argument, Language language) {
+/// With how many more digits the shares of a sentence differ: less than a threshold must not read as equal to it.
+int digits_that_differ(const Message& message, Language language) {
+  std::set<double> shares;
+  for (const Argument& argument : message.arguments)
+    if (const auto* share = std::get_if<Fraction>(&argument.value)) shares.insert(share->value);
+  constexpr int all_digits = 16;
+  for (int more = 0; more < all_digits; ++more) {
+    std::set<std::string> texts;
+    for (const double share : shares) texts.insert(percent_text(share, language, more));
+    if (texts.size() == shares.size()) return more;
+  }
+  return all_digits;
+}
+
+std::string value_text(const Scene& scene, const Argument& argument, Language language, int more_digits) {
   return std::visit(Overloaded{
                         [](int value) { return std::to_string(value); },
                         [&](double value) { return number_text(value, language); },
                         [&](const Rgbd& colour) { return colour_text(colour, language); },
-                        [&](Fraction share) { return percent_text(share.value, language); },
+                        [&](Fraction share) { return percent_text(share.value, language, more_digits); },
                         [&](RayKind kind) { return std::string(text(kind, language)); },
                         [&](const std::string& name) { return shown_name(scene, name, language); },
                         [&](const HitObject& met) { return met_text(scene, met, language); },
@@ -68,6 +83,8 @@ std::string_view symbol(Ending ending) {
       return "/";
     case Ending::outside_cone:
       return "v";
+    case Ending::wrong_side:
+      return "w";
     case Ending::scattered:
       return "s";
   }
@@ -83,8 +100,6 @@ std::string capitalised(std::string words) {
   if (is_in(words[0], 'a', 'z')) words[0] = static_cast<char>(words[0] + to_capital);
   // In UTF-8 the letters from U+00E0 to U+00FE have their capitals as far before them; U+00F7 is a sign.
   if (words[0] == '\xC3' && words.size() > 1 && is_in(words[1], 0xA0, 0xBE) && words[1] != '\xB7')
-    case Ending::wrong_side:
-      return "w";
     words[1] = static_cast<char>(words[1] + to_capital);
   return words;
 }
@@ -103,12 +118,15 @@ std::string number_text(double value, Language language) {
   return typeset_number(whole ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value), language);
 }
 
-std::string percent_text(double share, Language language) {
+std::string percent_text(double share, Language language, int more_digits) {
   const double percent = 100 * share;
   if (percent == 0) return "0%";
   constexpr double least = 0.001;
-  if (percent < least) return fill("number.percent_under", language, {{"percent", number_text(least, language)}});
-  return typeset_number(percent < 1 ? fmt::format("{:.1g}%", percent) : fmt::format("{:.0f}%", percent), language);
+  if (percent < least && more_digits == 0)
+    return fill("number.percent_under", language, {{"percent", number_text(least, language)}});
+  return typeset_number(
+      percent < 1 ? fmt::format("{:.{}g}%", percent, 1 + more_digits) : fmt::format("{:.{}f}%", percent, more_digits),
+      language);
 }
 
 std::string colour_text(const Rgbd& c, Language language) {
@@ -121,11 +139,12 @@ std::string colour_text(const Rgbd& c, Language language) {
 
 std::string sentence_of(const Scene& scene, const Message& message, Language language) {
   TextArguments arguments;
+  const int more_digits = digits_that_differ(message, language);
   for (const Argument& argument : message.arguments) {
     if (const int* const number = std::get_if<int>(&argument.value))
       arguments.emplace_back(argument.name, *number);  // may select a plural form
     else
-      arguments.emplace_back(argument.name, value_text(scene, argument, language));
+      arguments.emplace_back(argument.name, value_text(scene, argument, language, more_digits));
   }
   return fill(message.id, language, arguments);
 }

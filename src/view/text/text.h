@@ -26,8 +26,9 @@ namespace raywalk {
 // Numbers in the format of the language.
 /// Printed digits: with the language's decimal separator and a true minus sign.
 [[nodiscard]] std::string typeset_number(std::string digits, Language language);
-[[nodiscard]] std::string number_text(double value, Language language);   ///< 3 significant digits, no trailing zeros
-[[nodiscard]] std::string percent_text(double share, Language language);  ///< "45%", "0.2%"
+[[nodiscard]] std::string number_text(double value, Language language);  ///< 3 significant digits, no trailing zeros
+/// "45%", "0.2%"; with one more digit "45.1%", "0.23%".
+[[nodiscard]] std::string percent_text(double share, Language language, int more_digits = 0);
 /// "(0.2, 0.5, 1)", in Portuguese "(0,2; 0,5; 1)", or one number for a grey.
 [[nodiscard]] std::string colour_text(const Rgbd& c, Language language);
 
