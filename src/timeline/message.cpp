@@ -396,9 +396,13 @@ class Describer {
   [[nodiscard]] Message describe(const Event& /*event*/, const PhotonsFound& found) const {
     const bool caustic = found.caustic.count > 0, other = found.other.count > 0;
     if (!caustic && !other) return {"walk.no_photons", {{"object", shaded()}}};
-    if (!caustic) return {"walk.photons_found", {{"count", found.other.count}, {"radius", found.other.radius}}};
-    if (!other) return {"walk.caustic_found", {{"count", found.caustic.count}, {"radius", found.caustic.radius}}};
-    return {"walk.both_found",
+    if (!caustic)
+      return {found.other.at_limit ? "walk.photons_within" : "walk.photons_found",
+              {{"count", found.other.count}, {"radius", found.other.radius}}};
+    if (!other)
+      return {found.caustic.at_limit ? "walk.caustic_within" : "walk.caustic_found",
+              {{"count", found.caustic.count}, {"radius", found.caustic.radius}}};
+    return {found.other.at_limit || found.caustic.at_limit ? "walk.both_within" : "walk.both_found",
             {{"count", found.other.count},
              {"radius", found.other.radius},
              {"caustic", found.caustic.count},

@@ -276,7 +276,8 @@ struct PhotonCircle {
   double radius = 0;
   int count = 0;  ///< of the photons inside
   Rgbd power{0.0};
-  Rgbd irradiance{0.0};  ///< power over the circle's area; in a flat world over its diameter
+  Rgbd irradiance{0.0};   ///< power over the circle's area; in a flat world over its diameter
+  bool at_limit = false;  ///< it may not be larger: it did not grow to the last photon that was wanted
 };
 /// find_nearest_photons.
 struct PhotonsFound {

@@ -307,7 +307,8 @@ PhotonCircle PhotonTracer<Policy>::circle_of(const PhotonMap& map, const Vertex&
   if (!(near.squared_radius > 0) || std::isinf(near.squared_radius)) return {};
   const double density = photon_density(near.squared_radius, settings_.flat);
   if (answer) found.answered = found.answered.value_or(Rgbd(0.0)) + near.answered * density;
-  return {std::sqrt(near.squared_radius), near.count, near.power, near.power * density};
+  const bool at_limit = settings_.progressive || near.squared_radius == settings_.radius * settings_.radius;
+  return {std::sqrt(near.squared_radius), near.count, near.power, near.power * density, at_limit};
 }
 
 /// Caustics, where the surface is seen from the eye; other light there, or where final gathering ends.

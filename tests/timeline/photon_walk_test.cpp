@@ -123,6 +123,7 @@ TEST_CASE("the circle of an estimate holds the power that it says") {
     CHECK(inside == found->other.count);
     CHECK(power == Approx(found->other.power.x));
     CHECK(found->other.irradiance.x == Approx(power / (2 * found->other.radius)));  // by length
+    CHECK(found->other.at_limit == (found->other.radius == Approx(0.3)));
   }
   CHECK(circles > 3);
 }
@@ -134,6 +135,7 @@ TEST_CASE("every line and every message of photon mapping is reached") {
     for (const bool sky : {false, true}) {
       Scene scene = photon_room();
       scene.render.photons.gather = gather;
+      scene.render.photons.progressive = sky;  // with circles of a radius that is given
       if (sky) scene.lights.clear(), scene.objects.pop_back();
       for (const bool in_space : {false, true}) {
         const Timeline timeline = in_space ? record_pixel(scene, {41, 31}, 30, 15) : record_strip(scene);
