@@ -89,7 +89,7 @@ class Describer {
 
   [[nodiscard]] Message describe(const Event& event, const RayFormed& formed) const {
     if (event.line == Line::form_next_ray || event.line == Line::gather_form_next_ray)
-      return {may_count_more(event, formed.kind) ? "walk.next_counts" : "walk.next_formed",
+      return {"walk.next_formed",
               {{"object", shaded()}, {"ray", formed.kind}, {"share", Fraction{max_component(formed.throughput)}}}};
     switch (formed.kind) {
       case RayKind::primary: {
@@ -151,9 +151,9 @@ class Describer {
         return {
             reflect ? "walk.reflect_threshold" : "walk.refract_threshold",
             {{"share", Fraction{max_component(stub.throughput)}}, {"threshold", Fraction{scene_.limits.threshold}}}};
-      case Ending::path_length:
       case Ending::wrong_side:
         return {reflect ? "walk.reflect_wrong_side" : "walk.refract_wrong_side", {{"object", shaded()}}};
+      case Ending::path_length:
         return {"walk.path_length", {{"ray", stub.kind}}};
       case Ending::total_internal_reflection:
         return {"walk.totally_reflected", {{"object", shaded()}}};
@@ -207,8 +207,8 @@ class Describer {
       case Ending::total_internal_reflection:
       case Ending::path_length:
       case Ending::facing_away:
-      case Ending::wrong_side:
       case Ending::outside_cone:
+      case Ending::wrong_side:
         break;  // these rays are not formed
     }
     return {};
