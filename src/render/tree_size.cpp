@@ -20,7 +20,8 @@ class FewChecks : public Stopper {
   Stop outer_;
 };
 
-/// Reflect and refract rays of a pixel's first sample; nothing when there are many more than `most`.
+/// Reflect and refract rays of a pixel's first sample, and beams and cones; nothing when there are many more than
+/// `most`.
 template <class T>
 std::optional<int> rays_of(const SceneKernel<T>& kernel, const RayGenerator<T>& camera, int column, int row, int most,
                            const Stop& stop) {
@@ -28,7 +29,8 @@ std::optional<int> rays_of(const SceneKernel<T>& kernel, const RayGenerator<T>& 
   try {
     const Statistics statistics =
         kernel(camera, {column, column + 1, row, row + 1, 0, 1, 1, Stop(few)}, [](const Pixel&, const Rgb<T>&) {});
-    return static_cast<int>(statistics.formed(RayKind::reflect) + statistics.formed(RayKind::refract));
+    return static_cast<int>(statistics.formed(RayKind::reflect) + statistics.formed(RayKind::refract) +
+                            statistics.formed(RayKind::beam));
   } catch (const Stopped&) {
     stop.check();
     return std::nullopt;

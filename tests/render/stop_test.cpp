@@ -6,6 +6,9 @@
 #include "support/catch.h"
 #include "support/exploding_room.h"
 
+#include <optional>
+#include <string>
+
 using namespace raywalk;
 using namespace raywalk::test;
 
@@ -88,4 +91,31 @@ TEST_CASE("many lights and many places on a light are stopped before they are al
   const auto part = render(scene, settings).value();
   CHECK_FALSE(part.finished);
   CHECK(part.done == 0);
+}
+
+TEST_CASE("cones whose tree has no end are warned of before the trace", "[render]") {
+  Scene scene;
+  scene.camera.eye = {-14, 0, 0};
+  scene.camera.look_at = {0, 0, 0};
+  scene.limits.depth = 9;
+  scene.render.integrator = Integrator::cones;
+  for (int i = 0; i < 60; ++i) {
+    Object ball{"Ball " + std::to_string(i), Sphere<double>{{2 * (i / 20), i / 4 % 5 - 2, 1.5 * (i % 4) - 2}, 0.6}, {}};
+    ball.material.reflection = Rgbd(0.4);
+    scene.objects.push_back(ball);
+  }
+  constexpr int most = 3'000'000;
+  Asked asked(most);
+  RenderSettings settings;
+  settings.size = ImageSize{16, 12};
+  settings.stop = Stop(asked);
+  std::optional<TreeSize> warned;
+  settings.endless = [&](const TreeSize& tree) {
+    warned = tree;
+    asked.times = most;  // enough
+  };
+  CHECK_FALSE(render(scene, settings).value().finished);
+  REQUIRE(warned);
+  CHECK(warned->rays > 1e6);
+  CHECK(warned->growth > 2);
 }
