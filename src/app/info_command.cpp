@@ -224,14 +224,17 @@ ExitCode info_command(const InfoOptions& options) {
   std::string text = info_text(document->scene, path);
   if (options.with_cost) {
     const Interrupt interrupt(Patience::brief);
-    ProgressBar bar;
-    constexpr int samples = 8000, repetitions = 7;
-    const auto show = [&bar](double done) {
-      Progress progress{};
-      progress.done = done;
-      bar.show(progress);
-    };
-    const auto cost = study::scene_cost(document->scene, samples, repetitions, show, interrupt.stop());
+    std::optional<study::SceneCost> cost;
+    {
+      ProgressBar bar;
+      constexpr int samples = 8000, repetitions = 7;
+      const auto show = [&bar](double done) {
+        Progress progress{};
+        progress.done = done;
+        bar.show(progress);
+      };
+      cost = study::scene_cost(document->scene, samples, repetitions, show, interrupt.stop());
+    }
     if (!cost) return fail({"", 0, 0, "interrupted before all was measured", ""});
     text += cost_text(*cost);
   }
