@@ -67,7 +67,8 @@ Result<std::string> sum_of(const std::string& path) {
 
 /// What decides the picture, in words (PicturePart::made_from).
 Result<std::vector<std::pair<std::string, std::string>>> made_from(const SceneDocument& document,
-                                                                   const RenderReport& report) {
+                                                                   const RenderReport& report,
+                                                                   const RenderOptions& options) {
   const Scene& scene = document.scene;
   const auto text = format_scene(scene);
   if (!text) return tl::unexpected(text.error());
@@ -82,6 +83,11 @@ Result<std::vector<std::pair<std::string, std::string>>> made_from(const SceneDo
       {"integrator", std::string(name_of(scene.render.integrator))},
       {"depth", fmt::format("{}", scene.limits.depth)},
       {"the checksum of the scene with its options", checksum(*text)}};
+  if (scene.render.numerics == Numerics::naive) {
+    // They may lose what a structure's boxes leave out.
+    all.emplace_back("accel", name_of(options.accelerator));
+    all.emplace_back("build", name_of(options.build));
+  }
   for (const std::string& file : document.files) {
     // Of a scene of our own format the text above says all; a comment changes no picture.
     if (file == document.path && scene_format_of(file) == SceneFormat::toml) continue;
@@ -176,7 +182,7 @@ ExitCode render_command(const RenderOptions& options) {
   if (const auto claimed = claim_output(image); !claimed) return fail(claimed.error());
   PicturePart part;
   if (options.share) {
-    auto from = made_from(*document, report);
+    auto from = made_from(*document, report, options);
     if (!from) return fail(from.error());
     part.made_from = std::move(*from);
   }

@@ -113,6 +113,21 @@ TEST_CASE("merge names what is missing, given twice, damaged, or of another pict
   CHECK_FALSE(folder.holds("b.pfm"));
 }
 
+TEST_CASE("naive numerics may lose what a structure leaves out, so parts by different ones are of different pictures") {
+  const Folder folder;
+  const auto merged = [&](const std::string& numerics, const std::vector<std::string>& other) {
+    const std::vector<std::string> render{"render",     shipped("classic"), "--size", "40x30",
+                                          "--numerics", numerics,           "-o",     "a.pfm"};
+    REQUIRE(folder.run(with(render, {"--part", "1/2", "--accel", "none"})).exit_code == 0);
+    REQUIRE(folder.run(with(with(render, {"--part", "2/2"}), other)).exit_code == 0);
+    return folder.run({"merge", "a.pfm.part-1-of-2", "a.pfm.part-2-of-2", "-o", "a.pfm"});
+  };
+  CHECK(merged("robust", {"--accel", "bvh"}).exit_code == 0);
+  CHECK(merged("naive", {"--accel", "none"}).exit_code == 0);
+  CHECK_THAT(merged("naive", {"--accel", "bvh"}).err, contains("accel here is bvh, there none"));
+  CHECK_THAT(merged("naive", {"--accel", "none", "--build", "best"}).err, contains("build here is best, there auto"));
+}
+
 TEST_CASE("what a part was made from includes the files of a scene") {
   const Folder folder;
   const std::string mesh =
