@@ -128,7 +128,7 @@ void declare_merge(CLI::App& program, Run& run) {
       "The picture has the very bits that it has when one machine renders all of it. What is missing, damaged, or of\n"
       "another picture is named, and then nothing is written.\n\n"
       "Examples:\n"
-      "  for i in 1 2 3; do raywalk render cornell -o cornell.exr --part $i/3; done\n"
+      "  for i in 1 2 3; do raywalk render cornell -o cornell.exr --part $i/3 || break; done\n"
       "  raywalk merge cornell.exr.part-* -o cornell.exr");
   command.callback([options, &run] { run = [options] { return merge_command(*options); }; });
 }
