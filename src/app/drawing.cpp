@@ -1,5 +1,6 @@
 #include "app/drawing.h"
 
+#include "app/idle_options.h"
 #include "app/interrupt.h"
 #include "app/progress_bar.h"
 #include "app/scene_lookup.h"
@@ -24,13 +25,14 @@ bool is_drawing(const std::string& image) {
 
 ExitCode render_drawing(const RenderOptions& options, const Scene& scene, ImageSize size) {
   if (integrator_of(scene) != Integrator::beams)
-    return fail({options.image, 0, 0, "only beams make a drawing of a picture (expected --integrator beams, or .png)",
-                 "other integrators know pixels, not what lies between them"});
+    return refuse({options.image, 0, 0, "only beams make a drawing of a picture (expected --integrator beams, or .png)",
+                   "other integrators know pixels, not what lies between them"});
   if (options.share || options.statistics)
-    return fail({options.image, 0, 0,
-                 fmt::format("a drawing has no {}", options.share ? "parts" : "statistics of rays"),
-                 fmt::format("leave out {}", options.share ? "--part" : "--stats")});
+    return refuse({options.image, 0, 0,
+                   fmt::format("a drawing has no {}", options.share ? "parts" : "statistics of rays"),
+                   fmt::format("leave out {}", options.share ? "--part" : "--stats")});
   if (const auto claimed = claim_output(options.image); !claimed) return fail(claimed.error());
+  if (!options.quiet) warn(idle_options("render", options, scene));
   const Interrupt interrupt(Patience::full);
   Result<BeamDrawing> drawing;
   {

@@ -1,5 +1,6 @@
 #include "app/idle_options.h"
 
+#include "app/drawing.h"
 #include "render/adaptive.h"
 #include "scene/effects.h"
 
@@ -26,19 +27,28 @@ bool may_draw(const Scene& scene, Integrator integrator) {
 
 }  // namespace
 
-std::vector<std::string> idle_options(const RenderOptions& given, const Scene& scene) {
+std::vector<std::string> idle_options(std::string_view command, const RenderOptions& given, const Scene& scene) {
   const RenderChoices& choices = scene.render;
   const Integrator integrator = integrator_of(scene, choices.samples);
   const std::string_view name = name_of(integrator);
   std::vector<std::string> lines;
   const auto idle = [&](std::string_view option, const std::string& why) {
-    lines.push_back(fmt::format("raywalk render: note: {} has no effect: {}", option, why));
+    lines.push_back(fmt::format("raywalk {}: note: {} has no effect: {}", command, option, why));
   };
 
   constexpr int first_look = Adaptive<double>::first_look;
-  if (given.tolerance.value_or(0) > 0 && choices.samples <= first_look)
+  const bool is_drawn = is_drawing(given.image);
+  if (is_drawn) {
+    const std::string why = "a drawing is cut along edges, and takes no samples";
+    if (given.samples) idle("--spp", why);
+    if (given.corner_samples) idle("--corner-samples", why);
+    if (given.tolerance) idle("--tolerance", why);
+    if (given.threads > 0) idle("--threads", "a drawing is made by one thread");
+    if (given.precision != Precision::double_) idle("--precision", "a drawing is computed in double");
+  } else if (given.tolerance.value_or(0) > 0 && choices.samples <= first_look) {
     idle("--tolerance",
          fmt::format("a pixel always takes its first {} samples, and has only {} here", first_look, choices.samples));
+  }
   if (!may_draw(scene, integrator)) {
     const std::string why = fmt::format("the integrator {} draws no random number here", name);
     if (given.sampler) idle("--sampler", why);
@@ -46,6 +56,8 @@ std::vector<std::string> idle_options(const RenderOptions& given, const Scene& s
   }
   if (given.light_grid && std::none_of(scene.lights.begin(), scene.lights.end(), is_area))
     idle("--light-grid", "no light has an extent");
+  else if (given.light_grid && integrator == Integrator::cones)
+    idle("--light-grid", "cones see lights whole");
   const bool is_global = traits_of(integrator).is_global;
   if (is_global || !traits_of(integrator).is_recursive) {
     const std::string why = integrator == Integrator::path ? "paths end by chance, or as --path-length says"
@@ -57,8 +69,13 @@ std::vector<std::string> idle_options(const RenderOptions& given, const Scene& s
   }
   if (given.path_length && integrator != Integrator::path)
     idle("--path-length", fmt::format("the integrator is {} (expected --integrator path)", name));
-  if (given.epsilon && choices.numerics != Numerics::naive)
+  if (traits_of(integrator).has_width) {
+    const std::string why = fmt::format("{} have numerics of their own", name);
+    if (given.numerics) idle("--numerics", why);
+    if (given.epsilon) idle("--epsilon", why);
+  } else if (given.epsilon && choices.numerics != Numerics::naive) {
     idle("--epsilon", fmt::format("numerics are {} (expected --numerics naive)", name_of(choices.numerics)));
+  }
   return lines;
 }
 

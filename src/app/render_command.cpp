@@ -188,7 +188,7 @@ ExitCode render_command(const RenderOptions& options) {
   }
   if (options.statistics)
     if (const auto claimed = claim_output(*options.statistics); !claimed) return fail(claimed.error());
-  if (!options.quiet) warn(idle_options(options, scene));
+  if (!options.quiet) warn(idle_options("render", options, scene));
   if (!options.quiet && cuts_patches(scene))
     for (const std::string& loss : collected(patch_losses(scene))) note("raywalk render: warning: " + loss);
   if (!options.quiet)

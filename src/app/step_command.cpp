@@ -1,5 +1,6 @@
 #include "app/step_command.h"
 
+#include "app/idle_options.h"
 #include "app/scene_lookup.h"
 #include "app/texts.h"
 #include "scene/beam_limits.h"
@@ -27,6 +28,7 @@ Result<void> print_json(const Scene& scene, const Timeline& timeline, const Step
   nlohmann::ordered_json head{{"version", RAYWALK_VERSION},
                               {"scene", scene_path(options.scene)},
                               {"title", scene.title},
+                              {"integrator", name_of(scene.render.integrator)},
                               {"depth", scene.limits.depth},
                               {"threshold", scene.limits.threshold},
                               {"precision", name_of(options.precision)},
@@ -72,31 +74,44 @@ std::optional<Error> why_no_beam(const StepOptions& options, const Scene& scene)
   if (scene.render.integrator != Integrator::beams) return std::nullopt;
   const bool in_space = options.pixel && std::holds_alternative<ImagePixel>(*options.pixel);
   const std::string why = in_space ? why_no_space_beams(scene) : why_no_beams(scene);
-  const std::string hint = "--integrator whitted walks rays";
-  if (!why.empty()) return Error{options.scene, 0, 0, "beams cannot be followed here: " + why, hint};
-  if (options.fault) return Error{options.scene, 0, 0, "faults are those of rays, not of beams", hint};
-  return std::nullopt;
+  if (why.empty()) return std::nullopt;
+  return Error{options.scene, 0, 0, "beams cannot be followed here: " + why, "--integrator whitted walks rays"};
 }
 
 /// Why cones that are asked for cannot be walked.
 std::optional<Error> why_no_cone(const StepOptions& options, const Scene& scene) {
   if (scene.render.integrator != Integrator::cones) return std::nullopt;
-  const std::string hint = "--integrator distributed takes samples";
-  if (const std::string why = why_no_cones(scene); !why.empty())
-    return Error{options.scene, 0, 0, "cones cannot be followed here: " + why, hint};
-  if (options.fault) return Error{options.scene, 0, 0, "faults are those of rays, not of cones", hint};
-  return std::nullopt;
+  const std::string why = why_no_cones(scene);
+  if (why.empty()) return std::nullopt;
+  return Error{options.scene, 0, 0, "cones cannot be followed here: " + why, "--integrator distributed takes samples"};
 }
 
 /// Why a fault that is asked for breaks nothing here.
 std::optional<Error> why_no_fault(const StepOptions& options, const Scene& scene) {
   if (!options.fault) return std::nullopt;
-  const Integrator its = integrator_of(*options.fault), own = scene.render.integrator;
-  if (its == Integrator::automatic || its == own) return std::nullopt;
+  if (options.numerics == Numerics::robust)
+    return Error{options.scene, 0, 0, fmt::format("{} breaks naive numerics, not robust ones", name_of(*options.fault)),
+                 "leave out --numerics"};
+  const Integrator broken = integrator_of(*options.fault), own = scene.render.integrator;
+  const bool of_tracer = broken == Integrator::automatic;
+  const bool is_walked = of_tracer ? !traits_of(own).is_global && !traits_of(own).has_width : broken == own;
+  if (is_walked) return std::nullopt;
+  const Integrator its = of_tracer ? Integrator::whitted : broken;
   return Error{options.scene, 0, 0,
                fmt::format("{} breaks the integrator {}, and that of this scene is {}", name_of(*options.fault),
                            name_of(its), name_of(own)),
                fmt::format("--integrator {} walks the scene so", name_of(its))};
+}
+
+/// Those of the options that a render has, too.
+RenderOptions as_of_render(const StepOptions& options) {
+  RenderOptions same;
+  same.depth = options.depth;
+  same.threshold = options.threshold;
+  same.path_length = options.path_length;
+  same.numerics = options.numerics;
+  same.epsilon = options.epsilon;
+  return same;
 }
 
 /// More would fill about half a gigabyte.
@@ -158,11 +173,12 @@ ExitCode step_command(const StepOptions& options) {
   const ImageSize size = options.size.value_or(scene.image);
   if (const auto error = why_no_pixel(options, scene, size)) return refuse(*error);
 
-  if (const auto error = why_no_fault(options, scene)) return fail(*error);
+  if (const auto error = why_no_fault(options, scene)) return refuse(*error);
   if (const auto error = why_no_beam(options, scene)) return fail(*error);
   if (const auto error = why_no_cone(options, scene)) return fail(*error);
   if (const auto error = why_too_deep(scene.limits.depth)) return fail(*error);
   if (const auto error = why_no_room(scene, scene_path(options.scene), options.precision)) return fail(*error);
+  warn(idle_options("step", as_of_render(options), scene));
   Result<Timeline> recorded = record_within_reason(options, scene, size);
   if (!recorded) return fail(recorded.error());
   const auto kept = std::make_shared<const Timeline>(std::move(*recorded));

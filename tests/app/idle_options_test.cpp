@@ -19,7 +19,7 @@ Scene plain() {
 // The options that are said to do nothing, one after the other.
 std::string idle(const RenderOptions& given, const Scene& scene) {
   std::string names;
-  for (const std::string& line : idle_options(given, scene)) {
+  for (const std::string& line : idle_options("render", given, scene)) {
     REQUIRE(line.starts_with("raywalk render: note: --"));
     const std::size_t begin = line.find("--"), end = line.find(" has no effect: ");
     REQUIRE(end != std::string::npos);
@@ -119,6 +119,37 @@ TEST_CASE("paths have a limit of their own, and all others theirs") {
   CHECK(with(Integrator::whitted) == "--path-length ");
   CHECK(with(Integrator::distributed) == "--path-length ");
   CHECK(with(Integrator::automatic) == "--path-length ");
+}
+
+TEST_CASE("beams and cones have numerics of their own, and cones see lights whole") {
+  RenderOptions given;
+  given.numerics = Numerics::naive;
+  given.epsilon = 0.01;
+  given.light_grid = 2;
+  Scene scene = plain();
+  scene.render.numerics = Numerics::naive;
+  scene.render.integrator = Integrator::beams;
+  CHECK(idle(given, scene) == "--light-grid --numerics --epsilon ");
+  scene.lights[0].kind = SphereLight{{0, 5, 0}, 1, 1, {}};
+  scene.render.integrator = Integrator::cones;
+  CHECK(idle(given, scene) == "--light-grid --numerics --epsilon ");
+  scene.render.integrator = Integrator::whitted;
+  CHECK(idle(given, scene).empty());
+}
+
+TEST_CASE("a drawing takes no samples") {
+  RenderOptions given;
+  given.samples = 4;
+  given.corner_samples = true;
+  given.tolerance = 0.1;
+  given.threads = 2;
+  given.precision = Precision::float_;
+  Scene scene = plain();
+  scene.render.integrator = Integrator::beams;
+  scene.render.samples = 64;
+  CHECK(idle(given, scene).empty());
+  given.image = "a.SVG";
+  CHECK(idle(given, scene) == "--spp --corner-samples --tolerance --threads --precision ");
 }
 
 TEST_CASE("an epsilon is for naive numerics, whether the scene or an option chose them") {

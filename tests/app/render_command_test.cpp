@@ -334,23 +334,26 @@ TEST_CASE("the partial file's name keeps the folder and the ending, and is one t
 
 TEST_CASE("beams make a picture, and a drawing of it; what they cannot do is refused by name") {
   const Folder folder;
-  const auto refused = [&](std::vector<std::string> words, const std::string& why) {
+  const auto refused = [&](std::vector<std::string> words, const std::string& why, int exit_code = 2) {
     words.insert(words.begin(), {"render"});
     const Outcome outcome = folder.run(words);
     INFO(outcome.err);
-    CHECK(outcome.exit_code == 1);
+    CHECK(outcome.exit_code == exit_code);
     CHECK(outcome.err.find(why) != std::string::npos);
   };
   REQUIRE(folder.run({"render", classic, "-o", "beams.pfm", "--size", "21x15", "--integrator", "beams"}).exit_code ==
           0);
   REQUIRE(folder.run({"render", classic, "-o", "rays.pfm", "--size", "21x15"}).exit_code == 0);
   CHECK(folder.read("beams.pfm") != folder.read("rays.pfm"));
-  REQUIRE(folder.run({"render", classic, "-o", "out.SVG", "--size", "42x30", "--integrator", "beams"}).exit_code == 0);
+  const Outcome drawn =
+      folder.run({"render", classic, "-o", "out.SVG", "--size", "42x30", "--integrator", "beams", "--spp", "4"});
+  REQUIRE(drawn.exit_code == 0);
+  CHECK(drawn.err.find("note: --spp has no effect: a drawing") != std::string::npos);
   CHECK(folder.read("out.SVG").find("<title>Transparent Sphere</title>") != std::string::npos);
   refused({classic, "-o", "no.svg"}, "only beams make a drawing of a picture");
   refused({classic, "-o", "no.svg", "--integrator", "beams", "--part", "1/2"}, "a drawing has no parts");
   refused({classic, "-o", "no.svg", "--integrator", "beams", "--stats", "s.json"}, "a drawing has no statistics");
-  refused({"motion_blur", "-o", "no.png", "--integrator", "beams"}, "beams cannot be followed here: ");
+  refused({"motion_blur", "-o", "no.png", "--integrator", "beams"}, "beams cannot be followed here: ", 1);
   CHECK_FALSE(std::filesystem::exists(folder / "no.svg"));
   CHECK_FALSE(std::filesystem::exists(folder / "no.png"));
 }

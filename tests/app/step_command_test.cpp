@@ -60,9 +60,27 @@ TEST_CASE("a walk can be broken on purpose, and says so to programs") {
       folder.run({"step", classic, "--pixel", "9", "--fault", "depth_not_counted", "--format", "json"}).out);
   CHECK(json["fault"] == "depth_not_counted");
   CHECK(json["numerics"] == "naive");
+  CHECK(json["integrator"] == "automatic");
   const Outcome unknown = folder.run({"step", classic, "--fault", "reflection_fliped"});
   CHECK(unknown.exit_code == 2);
   CHECK_THAT(unknown.err, contains("did you mean reflection_flipped?"));
+
+  // What would walk something else than was asked for is refused.
+  const auto refused = [&](const std::vector<std::string>& words) {
+    std::vector<std::string> arguments{"step", "classic", "--pixel", "9"};
+    arguments.insert(arguments.end(), words.begin(), words.end());
+    const Outcome outcome = folder.run(arguments);
+    CHECK(outcome.exit_code == 2);
+    return outcome.err;
+  };
+  for (const std::string integrator : {"path", "photons", "radiosity", "beams", "cones"})
+    CHECK_THAT(refused({"--fault", "reflection_flipped", "--integrator", integrator}),
+               contains("reflection_flipped breaks the integrator whitted, and that of this scene is " + integrator) &&
+                   contains("--integrator whitted"));
+  CHECK_THAT(refused({"--fault", "cosine_counted_twice"}), contains("--integrator path"));
+  CHECK_THAT(refused({"--fault", "reflection_flipped", "--numerics", "robust"}), contains("breaks naive numerics"));
+  CHECK(folder.run({"step", classic, "--pixel", "9", "--fault", "reflection_flipped", "--integrator", "whitted"}).out ==
+        broken.out);
 }
 
 TEST_CASE("a path is walked by a pseudocode of its own") {
@@ -83,6 +101,9 @@ TEST_CASE("limits and precision change the steps") {
   const std::string shallow = folder.run({"step", classic, "--depth", "1"}).out;
   CHECK(std::count(shallow.begin(), shallow.end(), '\n') < std::count(usual.begin(), usual.end(), '\n'));
   CHECK(folder.run({"step", classic, "--threshold", "0.4"}).out != usual);
+  const Outcome idle = folder.run({"step", classic, "--epsilon", "5", "--path-length", "3"});
+  CHECK(idle.out == usual);
+  CHECK_THAT(idle.err, contains("raywalk step: note: --epsilon has no effect") && contains("note: --path-length has"));
   CHECK(folder.run({"step", classic, "--precision", "float", "--format", "json"}).out !=
         folder.run({"step", classic, "--format", "json"}).out);
 }
