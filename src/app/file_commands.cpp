@@ -7,19 +7,12 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <filesystem>
 #include <limits>
 #include <memory>
 
 namespace raywalk {
 
 namespace {
-
-std::string ending_of(const std::string& path) {
-  std::string ending = std::filesystem::path(path).extension().string();
-  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return ending;
-}
 
 Result<void> write_pov(const Scene& scene, const std::string& path) {
   const PovText pov = format_pov(scene);
@@ -84,14 +77,16 @@ void declare_generate(CLI::App& program, Run& run) {
       "spheres (strewn at random), flake (spheres on spheres), mesh (a bumpy ball of triangles) or forest (copies "
       "of a mesh)")
       ->required();
-  add_whole(command, "--count", to.count, 1, std::numeric_limits<int>::max(),
-            "About how many spheres, triangles or copies (1000 when left out)");
-  add_whole(command, "--levels", to.levels, 0, 9,
-            "Of a flake: how often each sphere grows nine more; 6 makes 597871 (3 when left out)");
-  add_parsed(command, "--seed", to.seed, parse_seed, "N", "a whole number from 0 to 2^64 - 1",
-             "Which random numbers are drawn (0 when left out)");
-  add_file(command, "--mesh", to.mesh, "FILE", "Of a forest: what it has copies of (.ply, .obj, .gltf or .glb)");
-  add_choice<UpAxis>(command, "--up", to.up, "Of a forest: the axis of the mesh that points upwards (z when left out)");
+  const auto* count = add_whole(command, "--count", to.count, 1, std::numeric_limits<int>::max(),
+                                "About how many spheres, triangles or copies (1000 when left out)");
+  const auto* levels = add_whole(command, "--levels", to.levels, 0, 9,
+                                 "Of a flake: how often each sphere grows nine more; 6 makes 597871 (3 when left out)");
+  const auto* seed = add_parsed(command, "--seed", to.seed, parse_seed, "N", "a whole number from 0 to 2^64 - 1",
+                                "Which random numbers are drawn (0 when left out)");
+  const auto* copied =
+      add_file(command, "--mesh", to.mesh, "FILE", "Of a forest: what it has copies of (.ply, .obj, .gltf or .glb)");
+  const auto* up = add_choice<UpAxis>(command, "--up", to.up,
+                                      "Of a forest: the axis of the mesh that points upwards (z when left out)");
   add_file(command, "-o,--output", asked->out, "FILE", "Scenes: .nff or .toml; meshes: .ply, .obj or .nff")->required();
   command.footer(
       "The same options give the same file. It is written as it is made: a billion triangles take no more memory than "
@@ -101,7 +96,16 @@ void declare_generate(CLI::App& program, Run& run) {
       "  raywalk generate flake --levels 4 -o flake.nff\n"
       "  raywalk generate mesh --count 2000 --seed 7 -o ball.ply\n"
       "  raywalk generate forest --count 10000 --mesh ball.ply -o forest.toml");
-  command.callback([asked, &run] { run = [asked] { return generate_command(asked->options, asked->out); }; });
+  command.callback([=, &run] {
+    const GeneratedKind kind = asked->options.kind;
+    for (const auto& [option, is_idle] :
+         {std::pair(count, kind == flake), std::pair(seed, kind == flake), std::pair(levels, kind != flake),
+          std::pair(copied, kind != forest), std::pair(up, kind != forest)})
+      if (is_idle && option->count() > 0)
+        throw CLI::ExcludesError(fmt::format("{} does not go with {}", option->get_name(), name_of(kind)),
+                                 CLI::ExitCodes::ExcludesError);
+    run = [asked] { return generate_command(asked->options, asked->out); };
+  });
 }
 
 }  // namespace raywalk

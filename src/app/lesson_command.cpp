@@ -69,6 +69,11 @@ std::string summary_of(const Lesson& lesson) {
                      lesson.steps.size(), questions, claims, lesson.words.size(), not_told(lesson));
 }
 
+bool is_page(const std::string& path) {
+  const std::string ending = ending_of(path);
+  return ending == ".html" || ending == ".htm";
+}
+
 /// How far the numbers that depend on random ones spread.
 std::string spreads_of(const LessonCheck& found, int seeds) {
   std::string text;
@@ -141,7 +146,7 @@ ExitCode lesson_script_command(const std::string& name, Language language, const
     if (const auto claimed = claim_output(*path); !claimed) return fail(claimed.error());
   const PlayedLesson played = play_lesson(*lesson, data_dir() + "/scenes");
   if (!played.errors.empty()) return fail(played.errors.front());
-  const bool page = path && (path->ends_with(".html") || path->ends_with(".htm"));
+  const bool page = path && is_page(*path);
   const std::string script = lesson_script(played, language, page ? ScriptForm::page : ScriptForm::markdown);
   const auto written = path ? write_file_atomically(*path, script) : print(script);
   return written ? ExitCode::done : fail(written.error());
@@ -177,8 +182,15 @@ void declare_lesson(CLI::App& program, Run& run) {
   script.add_option("NAME", *name, "A lesson, such as 5 or 05-refraction, or a folder")->required()->type_name("");
   add_language(script, *language, "Of the script; left out: en");
   const auto path = std::make_shared<std::optional<std::string>>();
+  const auto ending = [](const std::string& file) {
+    // /dev/stdout has none.
+    if (const std::string is = ending_of(file); is.empty() || is == ".md" || is_page(file)) return std::string();
+    return file + ": no script is written as \"" + ending_of(file) + "\" (expected .html or .md)";
+  };
   add_file(script, "-o,--output", *path, "FILE",
-           "The file: .html, a page to print or to read on a telephone, or .md; left out: printed here");
+           "The file: .html, a page to print or to read on a telephone, or .md; left out: printed here",
+           to_standard_output)
+      ->check(CLI::Validator(ending, "", "ending"));
   script.footer(
       "The script holds what stands on the screen, what to say and to ask, the answers, and when each step begins.\n\n"
       "Examples:\n"

@@ -14,6 +14,8 @@
 #include <CLI/CLI.hpp>
 
 #include <array>
+#include <cctype>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -24,6 +26,7 @@ namespace raywalk {
 
 /// The action of a command line, run after parsing all of it.
 using Run = std::function<ExitCode()>;
+inline constexpr const char* to_standard_output = "standard output is /dev/stdout";
 inline constexpr const char* scene_help =
     "A scene file (.toml, .nff, or .test of ray tracing courses), a mesh (.ply, .obj, .gltf, .glb), or the name of a "
     "scene that comes with Raywalk";
@@ -81,16 +84,23 @@ CLI::Option* add_choice(CLI::App& command, const std::string& name, Target& targ
   return add_value(command, name, target, named<Choice>, complain, fmt::format("{}", fmt::join(words, "|")), help);
 }
 
+/// The ending of a file's name in small letters, ".png".
+inline std::string ending_of(const std::string& path) {
+  std::string ending = std::filesystem::path(path).extension().string();
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return ending;
+}
+
 /// An option that names a file or a folder. An empty name, as from an unset shell variable, does not mean absent; and
-/// "-", standard output elsewhere, is no name here.
+/// "-", standard output elsewhere, is no name here. `instead`: what to write for it, where there is something.
 template <class Target>
 CLI::Option* add_file(CLI::App& command, const std::string& name, Target& target, const std::string& type,
-                      const std::string& help) {
+                      const std::string& help, const std::string& instead = "") {
   const auto parse = [](const std::string& word) {
     return word.empty() || word == "-" ? std::nullopt : std::optional(word);
   };
-  const auto complain = [](const std::string& word) {
-    return std::string("names no file (expected a name") + (word.empty() ? ")" : "; standard output is /dev/stdout)");
+  const auto complain = [instead](const std::string& word) {
+    return "names no file (expected a name" + (word.empty() || instead.empty() ? "" : "; " + instead) + ")";
   };
   return add_value(command, name, target, parse, complain, type, help);
 }
@@ -99,9 +109,11 @@ CLI::Option* add_file(CLI::App& command, const std::string& name, Target& target
 template <class Target>
 CLI::Option* add_image(CLI::App& command, Target& target, const std::string& help, bool or_drawing = false) {
   const auto ending = [=](const std::string& path) {
-    if (const auto format = image_format_of(path); !format && !(or_drawing && is_drawing(path)))
-      throw RefusedValue("--output", format.error());
-    return std::string();
+    const auto format = image_format_of(path);
+    if (format || (or_drawing && is_drawing(path))) return std::string();
+    raywalk::Error why = format.error();
+    if (or_drawing) why.hint += ", .svg for a drawing by beams";
+    throw RefusedValue("--output", why);
   };
   return add_file(command, "-o,--output", target, "IMAGE", help)->check(CLI::Validator(ending, "", "ending"));
 }
