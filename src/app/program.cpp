@@ -24,12 +24,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <csignal>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <new>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <vector>
 
 namespace raywalk {
@@ -122,7 +126,8 @@ void declare_render(CLI::App& program, Run& run) {
   command.add_flag_callback("--no-shadow-cache", [&to] { to.shadow_cache = false; }, "They do not")->excludes(cached);
   add_precision(command, to.precision);
   add_numerics(command, to.numerics, to.epsilon);
-  add_file(command, "--stats", to.statistics, "FILE", "Write what was done and how long it took, as JSON");
+  add_file(command, "--stats", to.statistics, "FILE", "Write what was done and how long it took, as JSON",
+           to_standard_output);
   add_part(command, to.share, "Render only this share of the picture, into IMAGE.part-I-of-N, for raywalk merge");
   command.add_flag("-q,--quiet", to.quiet, "Say nothing on the terminal but what went wrong");
   command.footer(
@@ -174,18 +179,25 @@ void declare_step(CLI::App& program, Run& run) {
   command.callback([options, &run] { run = [options] { return step_command(*options); }; });
 }
 
+/// CLI11 has no name for a hidden option.
+std::string name_of(const CLI::Option& option) {
+  const auto& words = option.get_lnames();
+  return words.empty() ? option.get_name() : "--" + words.front();
+}
+
 void declare_info(CLI::App& program, Run& run) {
   CLI::App& command = *program.add_subcommand("info", "Say what a scene holds, the effects it calls for, and why");
   const auto options = std::make_shared<InfoOptions>();
   InfoOptions& to = *options;
-  auto* scene = command.add_option("SCENE", to.scene, scene_help)->type_name("");
-  command
-      .add_option_function<std::vector<std::string>>(
-          "--keys", [&to](const auto& words) { to.keys = words.empty() ? "" : words.front(); },
-          "Instead: every key that a scene file may have, or those of NAME: camera, material, sphere...")
-      ->expected(0, 1)
-      ->type_name("NAME")
-      ->excludes(scene);
+  const auto* scene = command.add_option("SCENE", to.scene, scene_help)->type_name("");
+  const auto* keys =
+      command
+          .add_option_function<std::vector<std::string>>(
+              "--keys", [&to](const auto& words) { to.keys = words.empty() ? "" : words.front(); },
+              "Instead: every key that a scene file may have, or those of NAME: camera, material, sphere...")
+          ->expected(0, 1)
+          ->allow_extra_args(false)
+          ->type_name("NAME");
   command.add_flag("--cost", to.with_cost, "Measure what each effect costs, and what all would cost regardless");
   add_integrator(command, to.integrator, to.path_length);
   add_samples(command, to.samples);
@@ -197,16 +209,14 @@ void declare_info(CLI::App& program, Run& run) {
       "  raywalk info my/scene.toml --cost\n"
       "  raywalk info --keys sphere\n"
       "  raywalk info distributed --integrator whitted --spp 9");
-  command.callback([options, scene, &run] {
+  command.callback([options, scene, keys, &command, &run] {
     if (!options->keys && scene->count() == 0) throw CLI::RequiredError("SCENE");
+    for (const CLI::Option* option : command.get_options())
+      if (options->keys && option != keys && option->count() > 0)
+        throw CLI::ExcludesError("--keys does not go with " + (option == scene ? "a scene" : name_of(*option)),
+                                 CLI::ExitCodes::ExcludesError);
     run = [options] { return info_command(*options); };
   });
-}
-
-/// CLI11 has no name for a hidden option.
-std::string name_of(const CLI::Option& option) {
-  const auto& words = option.get_lnames();
-  return words.empty() ? option.get_name() : "--" + words.front();
 }
 
 ExitCode printed(const std::string& text) {
@@ -248,7 +258,11 @@ void declare_window(CLI::App& program, FileLedger& ledger, Run& run) {
     if (program.get_subcommands().empty()) {
       asked->options.width = asked->window.width;
       asked->options.height = asked->window.height;
-      run = [asked, &ledger] { return window_command(asked->options, ledger); };
+      run = [asked, &program, &ledger] {
+        std::vector<std::string> commands;
+        for (const CLI::App* command : program.get_subcommands({})) commands.push_back(command->get_name());
+        return window_command(asked->options, ledger, commands);
+      };
       return;
     }
     for (const CLI::Option* option : program.get_options())
@@ -258,10 +272,16 @@ void declare_window(CLI::App& program, FileLedger& ledger, Run& run) {
   });
 }
 
-/// "raywalk render" while parsing it.
-std::string command_name(const CLI::App& program) {
-  const auto chosen = program.get_subcommands();
-  return chosen.empty() ? "raywalk" : "raywalk " + chosen.back()->get_name();
+/// The command that is parsed: the deepest that was chosen.
+const CLI::App& chosen_command(const CLI::App& command) {
+  const auto chosen = command.get_subcommands();
+  return chosen.empty() ? command : chosen_command(*chosen.back());
+}
+
+/// "raywalk lesson script" while parsing it.
+std::string command_name(const CLI::App& command) {
+  const auto chosen = command.get_subcommands();
+  return command.get_name() + (chosen.empty() ? "" : " " + command_name(*chosen.back()));
 }
 
 /// An option of `command`, or of its chosen subcommands, that takes one value and was given several.
@@ -278,32 +298,38 @@ const CLI::Option* repeated_option(const CLI::App& program, const CLI::ParseErro
   return dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr ? repeated_option(program) : nullptr;
 }
 
+/// Whether words are left that nothing takes. Of them and of what is missing, CLI11 says the latter: "raywalk check
+/// numrics" would lack a command.
+bool has_extras(const CLI::App& program, const CLI::ParseError& error) {
+  const bool lacks = dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
+  return dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr || (lacks && program.remaining_size(true) > 0);
+}
+
 /// CLI11's message, improved where it is hard to read: for an option given twice it counts the values, and it lists
 /// unexpected words in reverse.
 std::string what_is_wrong(const CLI::App& program, const CLI::ParseError& error) {
   if (const CLI::Option* option = repeated_option(program, error))
     return name_of(*option) + " is given " +
            (option->count() == 2 ? "twice" : std::to_string(option->count()) + " times");
-  if (dynamic_cast<const CLI::ExtrasError*>(&error) == nullptr) return error.what();
+  if (!has_extras(program, error)) return error.what();
   std::string text = "not expected:";
   for (const std::string& word : program.remaining(true)) text += " " + word;
   return text;
 }
 
 /// An unexpected word of the command line is most likely misspelt.
-std::string hint_for(const CLI::App& program, const CLI::ParseError& error, int argc, const char* const* argv) {
+std::string hint_for(const CLI::App& program, const CLI::ParseError& error) {
   if (repeated_option(program, error) != nullptr) return "give it once";
-  const auto chosen = program.get_subcommands();
-  const CLI::App& command = chosen.empty() ? program : *chosen.back();
-  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
-    std::vector<std::string> known;
+  const CLI::App& command = chosen_command(program);
+  if (has_extras(program, error)) {
+    std::vector<std::string> known, words = program.remaining(true);
+    // A first word that is no command was taken for a scene.
+    if (&command == &program) words.insert(words.begin(), program["SCENE"]->as<std::string>());
     for (const CLI::Option* option : command.get_options())
       for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
-    if (chosen.empty())
-      for (const CLI::App* sub : program.get_subcommands({})) known.push_back(sub->get_name());
-    for (int i = 1; i < argc; ++i) {
-      const std::string_view argument = argv[i];
-      const std::string word(argument.substr(0, argument.find('=')));
+    for (const CLI::App* sub : command.get_subcommands({})) known.push_back(sub->get_name());
+    for (const std::string& each : words) {
+      const std::string word = each.substr(0, each.find('='));
       if (std::find(known.begin(), known.end(), word) != known.end()) continue;
       const std::string meant = nearest_word(word, {known.begin(), known.end()});
       if (!meant.empty()) return fmt::format("did you mean {} for {}?", meant, word);
@@ -312,20 +338,33 @@ std::string hint_for(const CLI::App& program, const CLI::ParseError& error, int 
   return command_name(program) + " --help says what there is";
 }
 
+/// A word as a shell takes it.
+std::string typed(const std::string& word) {
+  const bool is_plain = !word.empty() && std::all_of(word.begin(), word.end(), [](unsigned char c) {
+    return c > 127 || std::isalnum(c) != 0 ||
+           std::string_view("-_./,:=+@%").find(static_cast<char>(c)) != std::string_view::npos;
+  });
+  if (is_plain) return word;
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
+  return text + "'";
+}
+
 /// "raywalk classic step": the scene before the command.
-std::optional<Error> why_misplaced(const CLI::App& program, int argc, const char* const* argv) {
+std::optional<Error> why_misplaced(const CLI::App& program, std::vector<std::string> words) {
   const auto chosen = program.get_subcommands();
   const CLI::Option* scene = program.get_option_no_throw("SCENE");
   if (chosen.empty() || scene == nullptr || scene->count() == 0 || chosen.back()->count() > 1) return std::nullopt;
   const CLI::Option* own = chosen.back()->get_option_no_throw("SCENE");
   if (own == nullptr || own->count() > 0) return std::nullopt;  // two scenes are given
   const std::string command = chosen.back()->get_name(), given = scene->results().front();
+  for (const std::string& placed : {given, command})
+    if (const auto found = std::find(words.begin(), words.end(), placed); found != words.end()) words.erase(found);
   std::string rest;
-  for (int i = 1; i < argc; ++i)
-    if (argv[i] != command && argv[i] != given) rest += std::string(" ") + argv[i];
+  for (const std::string& word : words) rest += " " + typed(word);
   return Error{"", 0, 0,
                fmt::format("raywalk: the command {} comes after the scene {}; it has to come first", command, given),
-               fmt::format("raywalk {} {}{}", command, given, rest)};
+               fmt::format("raywalk {} {}{}", command, typed(given), rest)};
 }
 
 ExitCode parse_and_run(int argc, const char* const* argv) {
@@ -353,8 +392,15 @@ ExitCode parse_and_run(int argc, const char* const* argv) {
   declare_study(program, run);
   declare_check(program, run);
   declare_lesson(program, run);
+  std::vector<std::string> words(argv + 1, argv + argc);
+  // "help" and "help render" as --help and "render --help".
+  std::error_code unreadable;
+  if (!words.empty() && words.front() == "help" && !std::filesystem::exists("help", unreadable)) {
+    words.erase(words.begin());
+    words.emplace_back("--help");
+  }
   try {
-    program.parse(argc, argv);
+    program.parse(std::vector<std::string>(words.rbegin(), words.rend()));
   } catch (const CLI::CallForHelp&) {
     return printed(program.help());
   } catch (const CLI::CallForVersion& version) {
@@ -362,9 +408,8 @@ ExitCode parse_and_run(int argc, const char* const* argv) {
   } catch (const RefusedValue& refused) {
     return refuse({"", 0, 0, command_name(program) + ": " + refused.what(), refused.hint});
   } catch (const CLI::ParseError& error) {
-    if (const auto misplaced = why_misplaced(program, argc, argv)) return refuse(*misplaced);
-    return refuse(
-        {"", 0, 0, command_name(program) + ": " + what_is_wrong(program, error), hint_for(program, error, argc, argv)});
+    if (const auto misplaced = why_misplaced(program, words)) return refuse(*misplaced);
+    return refuse({"", 0, 0, command_name(program) + ": " + what_is_wrong(program, error), hint_for(program, error)});
   }
   const ExitCode code = run();
   // A command that was refused because it would overwrite its own input was used wrongly.

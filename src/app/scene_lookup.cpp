@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <string_view>
 
 namespace raywalk {
 
@@ -37,7 +38,9 @@ std::vector<std::string> shipped_scenes() {
 
 std::string scene_path(const std::string& scene) {
   std::error_code ignored;
-  if (fs::exists(scene, ignored) || fs::path(scene).has_parent_path()) return scene;
+  // A folder of the name hides no scene.
+  if (fs::path(scene).has_parent_path() || (fs::exists(scene, ignored) && !fs::is_directory(scene, ignored)))
+    return scene;
   const fs::path file = has_scene_ending(scene) ? scene : scene + ".toml";
   const fs::path shipped = fs::path(data_dir()) / "scenes" / file;
   return fs::exists(shipped, ignored) ? shipped.string() : scene;
@@ -59,19 +62,25 @@ Result<SceneDocument> load_scene(const std::string& scene, SceneWarnings warning
     if (warnings == SceneWarnings::said) warn(collected(document->warnings));
     return document;
   }
-  Error error = document.error();
+  return tl::unexpected(with_names(document.error(), scene));
+}
+
+Error with_names(Error error, const std::string& scene, const std::vector<std::string>& commands) {
   std::error_code ignored;
-  if (!fs::exists(fs::symlink_status(path, ignored))) {
-    const std::vector<std::string> names = shipped_scenes();
-    const std::string meant = nearest_word(fs::path(scene).stem().string(), {names.begin(), names.end()});
-    if (!meant.empty()) {
-      error.hint = "did you mean \"" + meant + "\", which comes with Raywalk?";
-    } else if (!names.empty() && !scene.empty() && scene != "-" && !fs::path(scene).has_parent_path()) {
-      error.hint = "give the path of a scene file, or the name of a scene that comes with Raywalk: " +
-                   one_of({names.begin(), names.end()});
-    }
+  if (fs::exists(fs::symlink_status(scene_path(scene), ignored))) return error;
+  const std::vector<std::string> names = shipped_scenes();
+  std::vector<std::string_view> known(names.begin(), names.end());
+  known.insert(known.end(), commands.begin(), commands.end());
+  const std::string meant = nearest_word(fs::path(scene).stem().string(), known);
+  if (std::find(commands.begin(), commands.end(), meant) != commands.end()) {
+    error.hint = "did you mean raywalk " + meant + "?";
+  } else if (!meant.empty()) {
+    error.hint = "did you mean \"" + meant + "\", which comes with Raywalk?";
+  } else if (!names.empty() && !scene.empty() && scene != "-" && !fs::path(scene).has_parent_path()) {
+    error.hint = "give the path of a scene file, or the name of a scene that comes with Raywalk: " +
+                 one_of({names.begin(), names.end()});
   }
-  return tl::unexpected(error);
+  return error;
 }
 
 }  // namespace raywalk

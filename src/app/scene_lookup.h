@@ -27,6 +27,10 @@ enum class SceneWarnings { said, kept };
 /// such file, the hint lists the available ones.
 [[nodiscard]] Result<SceneDocument> load_scene(const std::string& scene, SceneWarnings warnings = SceneWarnings::said);
 
+/// The error of reading a SCENE, with the names that may have been meant as a hint if there is no such file.
+/// `commands`: words that may stand in its place.
+[[nodiscard]] Error with_names(Error error, const std::string& scene, const std::vector<std::string>& commands = {});
+
 /// Why there is not enough memory to trace the scene; nothing if there is.
 [[nodiscard]] std::optional<Error> why_no_room(const Scene& scene, const std::string& path, Precision precision);
 

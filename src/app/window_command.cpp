@@ -31,7 +31,8 @@ std::optional<Error> why_not_opened(const std::string& letters, const std::strin
 
 }  // namespace
 
-ExitCode window_command(GuiOptions options, [[maybe_unused]] FileLedger& ledger) {
+ExitCode window_command(GuiOptions options, [[maybe_unused]] FileLedger& ledger,
+                        [[maybe_unused]] const std::vector<std::string>& commands) {
   options.data_dir = data_dir();
   std::error_code no_path;
   if (is_link(options.scene_path) && !std::filesystem::exists(options.scene_path, no_path)) {
@@ -41,14 +42,16 @@ ExitCode window_command(GuiOptions options, [[maybe_unused]] FileLedger& ledger)
     }
     options.link = std::exchange(options.scene_path, {});
   }
-  if (!options.scene_path.empty()) options.scene_path = scene_path(options.scene_path);
+  [[maybe_unused]] const std::string given = options.scene_path;
+  if (!given.empty()) options.scene_path = scene_path(given);
 #if RAYWALK_GUI
   options.languages = texts().languages;
   options.broken_texts = texts().broken;
   warn_of_broken_texts();
   try {
     const Result<void> closed = run_gui(options, ledger);
-    return closed ? ExitCode::done : fail(closed.error());
+    if (closed) return ExitCode::done;
+    return fail(given.empty() ? closed.error() : with_names(closed.error(), given, commands));
   } catch (const Stopped&) {
     return ExitCode::done;  // closed before it was shown
   }

@@ -2,7 +2,10 @@
 #include "app/process.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "io/packed_text.h"
 #include "support/catch.h"
@@ -33,6 +36,24 @@ TEST_CASE("there is help at every level, with examples") {
   CHECK(folder.names().empty());
 }
 
+TEST_CASE("help is a word for --help") {
+  const Folder folder;
+  CHECK(folder.run({"help"}).out == folder.run({"--help"}).out);
+  CHECK(folder.run({"help", "lesson", "script"}).out == folder.run({"lesson", "script", "--help"}).out);
+}
+
+TEST_CASE("the window's scene that is not there may have been meant for a scene or for a command") {
+  const Folder folder;
+  for (const auto& [word, said] : std::vector<std::pair<std::string, std::string>>{
+           {"clasic", "did you mean \"classic\", which comes with Raywalk?"},
+           {"rendr", "did you mean raywalk render?"},
+           {"nothing", "or the name of a scene that comes with Raywalk: "}}) {
+    const Outcome outcome = folder.run({word});
+    CHECK(outcome.exit_code == 1);
+    CHECK_THAT(outcome.err, contains(word + ": cannot read") && contains(said));
+  }
+}
+
 TEST_CASE("the actions of demo files are listed") {
   const Folder folder;
   const Outcome outcome = folder.run({"--demo-help"});
@@ -56,6 +77,8 @@ TEST_CASE("a lesson's script is written out with its numbers, in either language
   const Outcome page = folder.run({"lesson", "script", "1", "-o", "one.html"});
   CHECK(page.exit_code == 0);
   CHECK(page.out == "");
+  CHECK(folder.run({"lesson", "script", "1", "-o", "two.HTML"}).exit_code == 0);
+  CHECK(folder.read("two.HTML") == folder.read("one.html"));
   CHECK_THAT(folder.read("one.html"), contains("<h1>Ray casting</h1>") && contains("The nearest surface wins"));
   CHECK(folder.run({"lesson", "script", "1", "-o", "no/such/folder.html"}).exit_code == 1);
   const Outcome none = folder.run({"lesson", "script", "77"});
@@ -81,6 +104,8 @@ TEST_CASE("wrong use exits with 2 and says what was expected") {
       {{"render", "-o", "x.png"}, "SCENE is required"},
       {{"render", classic, "-o"}, "--output"},
       {{"render", classic, "-o", "x.jpg"}, "expected .png, .pfm or .exr"},
+      {{"render", classic, "-o", "x.ps"}, ".svg for a drawing by beams"},
+      {{"render", classic, "-o", "x.svg"}, "only beams make a drawing"},
       {{"render", classic, "-o", "x"}, "no ending"},
       {{"render", classic, "-o", "x.png", "--size", "640"}, "such as 640x480"},
       {{"render", classic, "-o", "x.png", "--size", "0x480"}, "such as 640x480"},
@@ -111,7 +136,21 @@ TEST_CASE("wrong use exits with 2 and says what was expected") {
        "raywalk render: --output is given twice\n  hint: give it once\n"},
       {{"render", classic, "-o", "x.png", "--threads", "1", "--threads", "2"}, "render: --threads is given twice\n"},
       {{"render", classic, "-o", "x.png", "--accel", "bvh", "--accel=bvh"}, "render: --accel is given twice\n"},
-      {{"check", "numerics", "--seed", "1", "--seed", "2", "--seed", "3"}, "check: --seed is given 3 times\n"},
+      {{"check", "numerics", "--seed", "1", "--seed", "2", "--seed", "3"}, "check numerics: --seed is given 3 times\n"},
+      {{"check", "numrics"}, "raywalk check: not expected: numrics\n  hint: did you mean numerics for numrics?\n"},
+      {{"check", "numerics", "--ful"}, "check numerics: not expected: --ful\n  hint: did you mean --full for --ful?\n"},
+      {{"lesson", "script"}, "lesson script: NAME is required\n  hint: raywalk lesson script --help says"},
+      {{"lesson", "script", "1", "-o", "one.pdf"}, "expected .html or .md"},
+      {{"lesson", "script", "1", "-o", "-"}, "standard output is /dev/stdout"},
+      {{"generate", "spheres", "-o", "-"}, "names no file (expected a name)\n"},
+      {{"generate", "flake", "--count", "5", "-o", "a.nff"}, "--count does not go with flake\n"},
+      {{"generate", "flake", "--seed", "5", "-o", "a.nff"}, "--seed does not go with flake\n"},
+      {{"generate", "spheres", "--levels", "3", "-o", "a.nff"}, "--levels does not go with spheres\n"},
+      {{"generate", "mesh", "--up", "x", "-o", "a.ply"}, "--up does not go with mesh\n"},
+      {{"generate", "mesh", "--mesh", "m.ply", "-o", "a.ply"}, "--mesh does not go with mesh\n"},
+      {{"info", "--keys", "sphere", classic}, "raywalk info: --keys does not go with a scene\n"},
+      {{"info", "--keys", "sphere", "--cost"}, "raywalk info: --keys does not go with --cost\n"},
+      {{"info", "--keys", "sphere", "--keys", "box"}, "raywalk info: --keys is given twice\n"},
       {{"--theme", "dark", "--theme", "dark"}, "raywalk: --theme is given twice\n"},
       {{"info"}, "SCENE is required"},
       {{"info", classic, "--seed", "3"}, "raywalk info: not expected: --seed 3\n"},
@@ -119,6 +158,9 @@ TEST_CASE("wrong use exits with 2 and says what was expected") {
       {{"check", "numerics", "sphere", "--flag", "--other"}, "not expected: --flag --other\n"},
       {{"info", classic, "--spp", "0"}, "a whole number from 1"},
       {{"rendr", classic}, "did you mean render"},
+      {{"render", classic, "--outptu", "x.png"}, "did you mean --output for --outptu?"},
+      {{"my scene.toml", "render", "-o", "x.png", "--stats", "render"},
+       "hint: raywalk render 'my scene.toml' -o x.png --stats render\n"},
       {{"--no-such-option"}, "--no-such-option"},
       {{classic, "info"}, "raywalk info " + classic},
       {{classic, "render", "-o", "x.png"}, "raywalk render " + classic + " -o x.png"},
@@ -179,6 +221,8 @@ TEST_CASE("bad scenes exit with 1 and name file and line") {
 TEST_CASE("scenes that come along are found by name, files of that name come first") {
   const Folder folder;
   const Outcome shipped = folder.run({"info", "classic"});
+  std::filesystem::create_directory(folder / "glass");  // which hides nothing
+  CHECK_THAT(folder.run({"info", "glass"}).out, contains("/scenes/glass.toml\n"));
   CHECK(shipped.exit_code == 0);
   CHECK_THAT(shipped.out, contains("/scenes/classic.toml\n"));
   const auto scene_part = [](const std::string& out) {
