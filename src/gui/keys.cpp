@@ -168,7 +168,7 @@ bool press_key(const KeyPress& press, const Ui& ui) {
   if (press.key == "Escape") return escape(ui);
   if (const auto direction = arrow(press.key);
       direction && state.walk.mode == Mode::move && !press.ctrl && !press.alt) {
-    ui.act(action::Nudge{*direction, press.shift});
+    ui.act(action::Nudge{*direction, press.shift, press.repeated});
     return true;
   }
   if (const auto way = scrolling(press.key); way && state.walk.mode == Mode::help) {

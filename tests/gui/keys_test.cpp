@@ -133,6 +133,9 @@ TEST_CASE("arrows nudge what is selected in Move mode, with Shift in larger step
   CHECK(bench.last<action::Nudge>()->direction == Vec2d(-1, 0));
   CHECK(bench.last<action::Nudge>()->coarse);
   CHECK(bench.state.document.dirty);
+  bench.repeat("Shift+Left");
+  CHECK(bench.last<action::Nudge>()->continues);
+  CHECK(bench.state.document.undo.size() == 2);
 }
 
 TEST_CASE("Tab goes through everything that can be selected, and round again") {

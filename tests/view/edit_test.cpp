@@ -350,6 +350,19 @@ TEST_CASE("undo and redo keep the same thing selected, wherever it then stands")
   CHECK(broken_promise(state) == "");
 }
 
+TEST_CASE("a key that is held down moves a thing with one undo entry, and the next thing with another") {
+  State state = busy_state();
+  const Scene before = state.scene();
+  for (const int object : {0, 1}) {
+    update(state, action::Select{{TargetKind::object, object}});
+    for (int i = 0; i < 60; ++i) update(state, action::Nudge{{1, 0}, false, i > 0 || object > 0});
+  }
+  CHECK(state.document.undo.size() == 2);
+  update(state, action::Undo{});
+  update(state, action::Undo{});
+  CHECK(state.scene() == before);
+}
+
 TEST_CASE("undo takes back what the pointer was on, which may have moved away") {
   State state = busy_state();
   update(state, action::Select{{TargetKind::object, 0}});

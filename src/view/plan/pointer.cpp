@@ -231,7 +231,7 @@ void action::Nudge::apply(State& state) const {
   const Vec2d towards = {std::clamp(direction.x, -1e3, 1e3), std::clamp(direction.y, -1e3, 1e3)};
   std::optional<Scene> next =
       checked(state, grip_of(state, state.scene(), state.plan.selected, from, from + step * towards));
-  if (next) commit(state, std::move(*next));
+  if (next) commit(state, std::move(*next), {Action(*this).kind(), state.plan.selected.index}, continues);
 }
 
 }  // namespace raywalk

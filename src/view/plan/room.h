@@ -145,12 +145,13 @@ struct Place {
   static void fields(auto& f, auto& a) { f(a.target), f(a.at); }
   void apply(State& state) const;
 };
-/// Arrow keys: one fine or coarse step, x right, y up; an undo entry.
+/// Arrow keys: one fine or coarse step, x right, y up; an undo entry, which a key that is held down continues.
 struct Nudge {
   static constexpr std::string_view word = "nudge";
   Vec2d direction;
   bool coarse = false;
-  static void fields(auto& f, auto& a) { f(a.direction), f(a.coarse, Flag{"coarse"}); }
+  bool continues = false;
+  static void fields(auto& f, auto& a) { f(a.direction), f(a.coarse, Flag{"coarse"}), f(a.continues, Unwritten{}); }
   void apply(State& state) const;
 };
 
