@@ -316,6 +316,24 @@ TEST_CASE("opening a link asks before unsaved work is lost, and keeps it where i
   CHECK(state.walk.position == 3);
 }
 
+TEST_CASE("a link that opens nothing leaves what a lesson's scene has of changes to be asked about") {
+  State state = state_with_lessons();
+  update(state, action::OpenLesson{"01-ray-casting", 0});
+  REQUIRE(state.lessons.open);
+  make_dirty(state);
+  REQUIRE(state.document.dirty);
+  const Scene changed = state.scene();
+  for (const Link& link : {Link{.scene = "no_such_scene"}, Link{.lesson = "no-such-lesson", .lesson_step = 1}}) {
+    update(state, action::OpenLink{write_link(link)});
+    CHECK_FALSE(state.document.question);
+    CHECK(state.scene() == changed);
+    CHECK(state.document.dirty);
+  }
+  update(state, action::OpenLink{write_link(Link{.scene = "glass"})});
+  CHECK_FALSE(state.document.dirty);
+  CHECK_FALSE(state.lessons.open);
+}
+
 TEST_CASE("what is no link is refused with a sentence, and changes nothing") {
   State state = elsewhere();
   const std::string begun = "#v=1/scene=classic";

@@ -177,10 +177,14 @@ Result<std::string> open_scene_of(State& state, const Link& link) {
     action::ShowLessons{true}.apply(state);
     const auto is_it = [&](const LessonEntry& each) { return each.name == link.lesson; };
     if (std::none_of(state.lessons.list.begin(), state.lessons.list.end(), is_it)) return no_lesson();
-    state.document.dirty = false;  // it was asked about
+    const bool dirty = std::exchange(state.document.dirty, false);  // it was asked about
+    const auto before = state.lessons.open;
     action::OpenLesson{link.lesson, link.lesson_step - 1}.apply(state);
     const PlayedStep* at = state.lessons.at();
-    if (at == nullptr || state.lessons.open->lesson.name != link.lesson) return no_lesson();
+    if (at == nullptr || state.lessons.open == before) {
+      state.document.dirty = dirty;
+      return no_lesson();
+    }
     sum = scene_sum(at->walk->document.scene);
     auto changed = changed_by(link, at->walk->document);
     if (!changed) return tl::unexpected(changed.error());
@@ -298,8 +302,7 @@ void action::OpenLink::apply(State& state) const {
   const auto read = read_link(link);
   if (!read) return refuse_link(state, read.error());
   // A hunt keeps the scene until its end. Changes during a lesson belong to the lesson.
-  if (read->bug > 0) return open_link(state, link);
-  if (state.lessons.open) state.document.dirty = false;
+  if (read->bug > 0 || state.lessons.open) return open_link(state, link);
   ask_or_do(state, {"question.unsaved_link", open_link}, link);
 }
 
