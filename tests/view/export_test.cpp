@@ -107,6 +107,25 @@ TEST_CASE("the script of the open lesson is written, and without one it is said 
   CHECK(contents(path) == lesson_script(state.lessons.open->played, in_english, ScriptForm::page));
 }
 
+TEST_CASE("an export has the code in the language of the window's, and its depth") {
+  const TemporaryFolder folder;
+  State state = walked();
+  state.appearance.language = in_portuguese;
+  const auto code = state.walk.timeline->pseudocode().lines.back().line;
+  REQUIRE(text(code, in_english) != text(code, in_portuguese));
+  for (const bool english : {true, false}) {
+    update(state, action::SetEnglishCode{english});
+    std::filesystem::remove(folder.file("walk.html"));
+    update(state, action::Export{folder.file("walk.html")});
+    const std::string page = contents(folder.file("walk.html"));
+    CHECK((page.find(">" + escaped(text(code, in_english)) + "</li>") != std::string::npos) == english);
+  }
+  update(state, action::LimitDepth{2});
+  update(state, action::Export{folder.file("walk.json")});
+  const auto json = nlohmann::json::parse(contents(folder.file("walk.json")));
+  CHECK(json["depth"] == 2);
+}
+
 TEST_CASE("a script has all that its presenter needs, with the answers of the trace") {
   const std::string root = RAYWALK_SOURCE_DIR;
   for (const std::string& name : lesson_names(root + "/lessons")) {

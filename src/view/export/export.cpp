@@ -48,16 +48,17 @@ Result<std::string> exported(const State& state, ExportKind kind) {
         return tl::unexpected(
             Error{"", 0, 0, fill("notice.too_many_slides", state.appearance.language, {{"most", max_slides}}), ""});
       return slides_page(scene, state.walk.timeline, state.appearance.language, state.appearance.theme,
-                         state.document.contents.ink);
+                         state.document.contents.ink, state.appearance.english_code);
     case ExportKind::transcript:
       return transcript(scene, *state.walk.timeline, state.appearance.language);
     case ExportKind::steps: {
       std::string all;
+      const TraceLimits limits = walked_scene(state)->limits;
       const auto written = write_steps_json(scene, *state.walk.timeline,
                                             {{"scene", state.document.path},
                                              {"title", scene.title},
-                                             {"depth", scene.limits.depth},
-                                             {"threshold", scene.limits.threshold}},
+                                             {"depth", limits.depth},
+                                             {"threshold", limits.threshold}},
                                             [&](const std::string& part) -> Result<void> {
                                               all += part;
                                               return {};

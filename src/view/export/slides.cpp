@@ -25,7 +25,7 @@ constexpr Viewport picture_size{960, 640};
 constexpr Viewport page_size{750, 500};  // smaller, so that letters are larger at the same width
 
 State walked(const Scene& scene, std::shared_ptr<const Timeline> timeline, Language language, Theme theme,
-             const Viewport& viewport, const Ink& ink) {
+             const Viewport& viewport, const Ink& ink, bool english_code = false) {
   SceneDocument document;
   document.scene = scene;
   document.ink = ink;
@@ -34,6 +34,7 @@ State walked(const Scene& scene, std::shared_ptr<const Timeline> timeline, Langu
   state.walk.mode = Mode::trace;
   state.appearance.theme = theme;
   state.appearance.language = language;
+  state.appearance.english_code = english_code;
   state.appearance.tab = EquationRoom::tab;
   state.plan.viewport = viewport;
   state.plan.camera = fitted(state);
@@ -243,8 +244,8 @@ show(at);
 }  // namespace
 
 std::string slides_page(const Scene& scene, std::shared_ptr<const Timeline> timeline, Language language, Theme theme,
-                        const Ink& ink) {
-  State state = walked(scene, std::move(timeline), language, theme, page_size, ink);
+                        const Ink& ink, bool english_code) {
+  State state = walked(scene, std::move(timeline), language, theme, page_size, ink, english_code);
   const Palette& colours = palette(theme);
   PlanWriter plan;
   Dictionary said;

@@ -17,8 +17,9 @@ inline constexpr int max_slides = 20'000;
 
 /// The page; `timeline` was recorded from `scene`. Each step has the plan, the pseudocode with its pointer, the
 /// sentence, read by screen readers, and the equation with its numbers. `ink`: what is drawn over the plan.
+/// `english_code`: the pseudocode is in English, whatever the language.
 [[nodiscard]] std::string slides_page(const Scene& scene, std::shared_ptr<const Timeline> timeline, Language language,
-                                      Theme theme = Theme::projector, const Ink& ink = {});
+                                      Theme theme = Theme::projector, const Ink& ink = {}, bool english_code = false);
 
 /// The plan after the last step, as a file of SVG.
 [[nodiscard]] std::string plan_picture(const Scene& scene, std::shared_ptr<const Timeline> timeline, Language language,
