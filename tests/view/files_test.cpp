@@ -28,6 +28,14 @@ TEST_CASE("Save as writes the scene, Open reads it back") {
   CHECK(other.plan.camera == fit(other.scene(), other.plan.viewport));
 }
 
+TEST_CASE("Save as gives every name the ending that Open lists, whatever dots are in it") {
+  const TemporaryFolder folder;
+  State state = busy_state();
+  update(state, action::SaveAs{folder.file("mirror 0.5")});
+  CHECK(state.document.path == folder.file("mirror 0.5.toml"));
+  CHECK(read_document(folder.file("mirror 0.5.toml")).scene == state.scene());
+}
+
 TEST_CASE("Save without a path asks for one") {
   const TemporaryFolder folder;
   State state = busy_state();

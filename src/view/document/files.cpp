@@ -240,8 +240,7 @@ void action::SaveAs::apply(State& state) const {
   if (path.empty()) return;
   // The path dialog stays until the file is written, and shows errors.
   if (state.document.prompt == PathPrompt::save_as) state.document.notice.reset();
-  const bool has_ending = std::filesystem::path(path).has_extension();
-  const std::string whole = has_ending ? path : path + ".toml";
+  const std::string whole = has_scene_ending(path) ? path : path + std::string(scene_file_ending);
   const bool is_own = same_file(whole, state.document.path) && !is_shipped(state, whole);
   if (is_own || !asks_to_overwrite(state, whole, write_to, true)) write_to(state, whole);
 }
