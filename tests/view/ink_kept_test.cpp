@@ -57,6 +57,33 @@ TEST_CASE("ink goes into the file on request alone, and only then is it missed")
   CHECK(read_file(path, 1 << 20).value() == before);  // no empty line is left where the ink stood
 }
 
+TEST_CASE("a text that is still being written is saved, exported, and asked about before the window closes") {
+  const TemporaryFolder folder;
+  State state = saved_state(folder);
+  update(state, action::KeepInk{true});
+  update(state, action::SetInk{true});
+  update(state, action::ChooseInkTool{InkTool::text});
+  const auto write = [&](const std::string& words) {
+    update(state, action::PointerPressed{here});
+    update(state, action::PointerReleased{here});
+    update(state, action::TypeInk{words});
+    REQUIRE(text_begun(state) != nullptr);
+  };
+  write("saved");
+  update(state, action::Save{});
+  CHECK(read_document(folder.file("scene.toml")).ink.size() == 1);
+  write("exported");
+  update(state, action::Export{folder.file("plan.svg")});
+  CHECK(read_file(folder.file("plan.svg"), 1 << 20).value().find("exported") != std::string::npos);
+  update(state, action::Save{});
+  write("asked about");
+  update(state, action::Quit{});
+  REQUIRE(state.document.question);
+  update(state, action::AnswerQuestion{action::Answer::save});
+  CHECK(state.document.quit);
+  CHECK(read_document(folder.file("scene.toml")).ink.size() == 3);
+}
+
 TEST_CASE("kept ink is autosaved and recovered") {
   const TemporaryFolder folder;
   State state = saved_state(folder);

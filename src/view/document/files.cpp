@@ -49,6 +49,7 @@ void quit(State& state, const std::string& /*path*/) {
 
 /// If the file was written, continues with the pending intent.
 void write_to(State& state, const std::string& path) {
+  action::FinishInk{}.apply(state);  // a text that is still in its field is meant to be there, too
   const Result<void> written = write_scene(state.document.contents, path);
   if (!written) {
     complain(state, written.error());
@@ -208,6 +209,7 @@ void action::Open::apply(State& state) const {
 void ask_or_do(State& state, const Intent& intent, const std::string& path) {
   state.document.after_save.reset();  // what waited for a path that was not given
   state.walk.playing = false;
+  action::FinishInk{}.apply(state);  // which may be unsaved work
   if (!state.document.dirty) return intent.carry_out(state, path);
   state.document.question = Question{Question::Kind::unsaved, intent, path};
 }

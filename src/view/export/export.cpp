@@ -100,6 +100,7 @@ std::size_t foreign_ending(const std::string& path) {
 
 /// Overwrites an existing file.
 void export_over(State& state, const std::string& path) {
+  action::FinishInk{}.apply(state);  // an export has what is seen
   const ExportKind kind = *export_kind_of(path);
   if (kind == ExportKind::picture || kind == ExportKind::film) {
     // The window without the dialog and without hover effects.
