@@ -17,6 +17,8 @@ void hint_window();
 void connect_clipboard();
 /// Makes the window as large as what it stands in, if that decides.
 void follow_surroundings(GLFWwindow* window);
+/// The key, GLFW_KEY_*, by what is written on it, where GLFW tells its place on an American keyboard.
+[[nodiscard]] int key_written(int key, int scan_code);
 /// Whether the user did something that polling cannot report before the current work ends.
 [[nodiscard]] bool input_waits();
 void toggle_full_screen(GLFWwindow* window);

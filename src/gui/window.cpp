@@ -138,6 +138,9 @@ Result<std::unique_ptr<Window>> Window::open(const std::string& title, int width
   ImGui::GetIO().ConfigInputTextCursorBlink = false;  // a blinking cursor would redraw forever
   // ImGui keeps the functions set above and calls them after its own.
   if (!ImGui_ImplGlfw_InitForOpenGL(window->window_, true)) return tl::unexpected(no_opengl());
+#if IMGUI_VERSION_NUM < 18700
+  glfwSetKeyCallback(window->window_, on_key);  // it is told of keys by on_key
+#endif
   platform::connect_clipboard();
   if (!ImGui_ImplOpenGL3_Init(platform::shading_language())) {
     ImGui_ImplGlfw_Shutdown();
@@ -157,14 +160,18 @@ Window::~Window() {
   glfwTerminate();
 }
 
-void Window::on_key(GLFWwindow* window, int key, int /*scan_code*/, int action, int modifiers) {
+void Window::on_key(GLFWwindow* window, int place, int scan_code, int action, int modifiers) {
   Window& self = *window_of(window);
+  const int key = platform::key_written(place, scan_code);
+#if IMGUI_VERSION_NUM < 18700  // later ones find out themselves what is written on it
+  if (window == self.window_) ImGui_ImplGlfw_KeyCallback(window, key, scan_code, action, modifiers);
+#endif
   self.happened_ = true;
   self.key_released_ |= action == GLFW_RELEASE;
   if (action == GLFW_RELEASE || key == GLFW_KEY_UNKNOWN) return;
   const bool ctrl = (modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER)) != 0;
   const bool shift = (modifiers & GLFW_MOD_SHIFT) != 0, alt = (modifiers & GLFW_MOD_ALT) != 0;
-  self.fast_keys_.push_back({key, ctrl, shift, alt});
+  self.fast_keys_.push_back({key, place, ctrl, shift, alt});
   if (const std::string_view name = name_of_key(key); !name.empty())
     self.keys_.push_back({name, ctrl, shift && key != GLFW_KEY_EQUAL, alt, action == GLFW_REPEAT});
 }
@@ -179,7 +186,9 @@ void Window::hear(GLFWwindow* other) {
 void Window::listen() {
   glfwSetWindowUserPointer(window_, this);
   // A callback per event; most only note that something happened.
+#if IMGUI_VERSION_NUM >= 18700
   glfwSetKeyCallback(window_, on_key);
+#endif
   glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned) { window_of(w)->happened_ = true; });
   glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) {
     Window& self = *window_of(w);
@@ -285,8 +294,8 @@ void Window::replay_fast_input() {
     happened_ = true;
   }
   if (!held_keys_.empty()) {
-    const auto down = [&](int key) { return glfwGetKey(window_, key) == GLFW_PRESS; };
-    for (const int key : std::exchange(held_keys_, {})) io.KeysDown[key] = down(key);
+    const auto down = [&](int place) { return glfwGetKey(window_, place) == GLFW_PRESS; };
+    for (const FastKey& held : std::exchange(held_keys_, {})) io.KeysDown[held.key] = down(held.place);
     io.KeyCtrl = down(GLFW_KEY_LEFT_CONTROL) || down(GLFW_KEY_RIGHT_CONTROL);
     io.KeyShift = down(GLFW_KEY_LEFT_SHIFT) || down(GLFW_KEY_RIGHT_SHIFT);
     io.KeyAlt = down(GLFW_KEY_LEFT_ALT) || down(GLFW_KEY_RIGHT_ALT);
@@ -295,12 +304,12 @@ void Window::replay_fast_input() {
   const FastKey press = fast_keys_.front();
   fast_keys_.erase(fast_keys_.begin());
   happened_ = true;
-  if (io.KeysDown[press.code]) return;
-  io.KeysDown[press.code] = true;
+  if (io.KeysDown[press.key]) return;
+  io.KeysDown[press.key] = true;
   io.KeyCtrl = press.ctrl;
   io.KeyShift = press.shift;
   io.KeyAlt = press.alt;
-  held_keys_.push_back(press.code);
+  held_keys_.push_back(press);
 #else
   button_places_.clear();
   fast_keys_.clear();

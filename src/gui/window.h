@@ -70,7 +70,8 @@ class Window {
  private:
   Window() = default;
   void listen();
-  static void on_key(GLFWwindow* window, int key, int scan_code, int action, int modifiers);
+  /// `place`: the key, by where it is.
+  static void on_key(GLFWwindow* window, int place, int scan_code, int action, int modifiers);
   void replay_fast_input();
 
   GLFWwindow* window_ = nullptr;
@@ -84,11 +85,11 @@ class Window {
   Place pointer_{-1, -1};  ///< after the last event
   std::vector<Place> button_places_;
   struct FastKey {
-    int code;  ///< GLFW_KEY_*
+    int key, place;  ///< GLFW_KEY_*, by what is written on it and by where it is
     bool ctrl, shift, alt;
   };
   std::vector<FastKey> fast_keys_;
-  std::vector<int> held_keys_;
+  std::vector<FastKey> held_keys_;
   bool happened_ = true, close_requested_ = false, shown_ = false, key_released_ = false;
 };
 

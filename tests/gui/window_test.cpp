@@ -235,6 +235,24 @@ TEST_CASE("files with mouse and keyboard: save as, open, undo, unsaved work, rec
   CHECK(raywalk.said() == "");
 }
 
+TEST_CASE("a key does what is written on it: Ctrl+Z of a German keyboard, which has Y in its place, undoes",
+          "[window]") {
+  NEEDS_A_DESKTOP
+  const Desktop desktop(1280, 800);
+  Child german({"setxkbmap", "de"}, {{"DISPLAY", desktop.display()}}, desktop.folder() / "setxkbmap.err");
+  REQUIRE(german.wait(20) == 0);
+  Visualiser raywalk(desktop, {own_classic(desktop), "--start-mode", "move"});
+  INFO(raywalk.said());
+  REQUIRE(started(raywalk));
+  raywalk.click("add-light");
+  REQUIRE(raywalk.until("undo", 1));
+  raywalk.key("ctrl+z");
+  CHECK(raywalk.until("undo", 0));
+  raywalk.key("ctrl+y");
+  CHECK(raywalk.until("undo", 1));
+  CHECK(raywalk.said() == "");
+}
+
 TEST_CASE("the window survives any size, and is idle when nothing happens", "[window]") {
   NEEDS_A_DESKTOP
   const Desktop desktop(1280, 800);

@@ -2,6 +2,8 @@
 
 #include <GLFW/glfw3.h>
 
+#include <cstring>
+
 namespace raywalk::platform {
 
 void hint_window() {}
@@ -11,6 +13,18 @@ const char* shading_language() { return "#version 150"; }
 void connect_clipboard() {}  // ImGui's GLFW backend has done so
 
 void follow_surroundings(GLFWwindow* /*window*/) {}
+
+int key_written(int key, int scan_code) {
+  // Digits stay in their row, where French and Czech keyboards write them with Shift; other keys have one name.
+  const bool is_digit = key >= GLFW_KEY_0 && key <= GLFW_KEY_9;
+  const bool prints = key > GLFW_KEY_SPACE && key <= GLFW_KEY_WORLD_2 && !is_digit;
+  const char* const written = prints ? glfwGetKeyName(key, scan_code) : nullptr;
+  if (written == nullptr || std::strlen(written) != 1) return key;  // Greek letters have the places of the Latin ones
+  const char c = *written;
+  if (c == '+') return GLFW_KEY_EQUAL;  // as in gui/key.h
+  if (c >= 'a' && c <= 'z') return GLFW_KEY_A + (c - 'a');
+  return c <= GLFW_KEY_GRAVE_ACCENT ? c : key;  // GLFW's numbers are those of ASCII
+}
 
 bool input_waits() { return false; }
 

@@ -66,6 +66,8 @@ void follow_surroundings(GLFWwindow* window) {
   if (width != page_width || height != page_height) glfwSetWindowSize(window, page_width, page_height);
 }
 
+int key_written(int key, int /*scan_code*/) { return key; }  // Emscripten's GLFW has it from there
+
 bool input_waits() { return raywalk_input_waits() != 0; }
 
 void toggle_full_screen(GLFWwindow* /*window*/) { raywalk_toggle_full_screen(); }
