@@ -1,3 +1,4 @@
+#include "gui/desktop/monitor.h"
 #include "gui/notes.h"
 #include "gui/platform.h"
 #include "gui/window.h"
@@ -41,15 +42,6 @@ class Contexts {
   ImGuiContext* imgui_ = ImGui::GetCurrentContext();
 };
 
-bool holds_middle(GLFWwindow* window, int x, int y, int width, int height) {
-  int left = 0, top = 0, across = 0, down = 0;
-  glfwGetWindowPos(window, &left, &top);
-  glfwGetWindowSize(window, &across, &down);
-  left += across / 2 - x;
-  top += down / 2 - y;
-  return left >= 0 && left < width && top >= 0 && top < height;
-}
-
 std::string time_of_day() {
   const std::time_t now = std::time(nullptr);
   std::tm parts{};
@@ -75,10 +67,11 @@ struct NotesWindow::Parts {
   void place(GLFWwindow* walk) {
     int count = 0;
     GLFWmonitor** const monitors = glfwGetMonitors(&count);
+    const GLFWmonitor* const shown = walk != nullptr ? monitor_of(walk) : nullptr;
     for (int i = 0; i < count && walk != nullptr; ++i) {
       int x = 0, y = 0, room = 0, rows = 0;
       glfwGetMonitorWorkarea(monitors[i], &x, &y, &room, &rows);
-      if (count > 1 && !holds_middle(walk, x, y, room, rows)) {
+      if (count > 1 && monitors[i] != shown) {
         glfwSetWindowPos(window, x, y);
         glfwSetWindowSize(window, room, rows);
         return;

@@ -1,12 +1,17 @@
 #include "gui/platform.h"
 
+#include "gui/desktop/monitor.h"
+
 #include <GLFW/glfw3.h>
 
 #include <cstring>
 
 namespace raywalk::platform {
 
-void hint_window() {}
+void hint_window() {
+  // A presenter who clicks into the notes goes on showing the walk on the whole of another screen.
+  glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);
+}
 
 const char* shading_language() { return "#version 150"; }
 
@@ -34,7 +39,7 @@ void toggle_full_screen(GLFWwindow* window) {
   } before;
   if (glfwGetWindowMonitor(window) != nullptr)
     return glfwSetWindowMonitor(window, nullptr, before.x, before.y, before.width, before.height, GLFW_DONT_CARE);
-  GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+  GLFWmonitor* monitor = monitor_of(window);
   const GLFWvidmode* mode = monitor != nullptr ? glfwGetVideoMode(monitor) : nullptr;
   if (mode == nullptr) return;
   glfwGetWindowPos(window, &before.x, &before.y);
