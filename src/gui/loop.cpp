@@ -85,7 +85,7 @@ class Loop::Parts {
   }
 
   [[nodiscard]] bool turn() {
-    if (window_.wait(window_.minimised() ? -1 : patience())) frames_due_ = frames_to_settle;
+    if (window_.wait(window_.minimised() ? until_due(false) : patience())) frames_due_ = frames_to_settle;
     pass_time();
     for (const KeyPress& key : window_.take_keys()) press(key);
     if (window_.take_key_release()) let_go();
@@ -97,9 +97,9 @@ class Loop::Parts {
       work_on_image();
       work_on_costs();
       work_on_export();
-      show_notes();
       if (wants_picture() && settled()) return false;
     }
+    if (!broken_) show_notes();
     return !state_.document.quit;
   }
 
@@ -186,6 +186,10 @@ class Loop::Parts {
     return {};
   }
 
+  void autosave_now() {
+    if (!broken_) autosave(state_, autosave_every);
+  }
+
   [[nodiscard]] const State& state() const { return state_; }
 
   [[nodiscard]] bool holds_at(float x, float y) const {
@@ -238,20 +242,21 @@ class Loop::Parts {
     return state_.structure.walks && (state_.structure.walks->waits() || state_.structure.awaited);
   }
 
-  // `patience` for timed work.
-  [[nodiscard]] double until_due() const {
+  // `patience` for timed work; unless it is `seen`, for what is done in a minimised window too.
+  [[nodiscard]] double until_due(bool seen = true) const {
     double wait = -1;
     const auto at_most = [&](double seconds) {
       wait = std::max(wait < 0 ? seconds : std::min(wait, seconds), shortest_wait);
     };
+    if (wants_autosave(state_)) at_most(state_.document.autosave_in);
+    if (notes_) at_most(1);
+    if (!seen) return wait;
     if (state_.walk.hold || state_.walk.tween) at_most(shortest_wait);
     if (state_.walk.playing) at_most((1 - state_.walk.owed) / state_.walk.lines_per_second);
     if (!demo_.over()) at_most(0.1);
-    if (wants_autosave(state_)) at_most(state_.document.autosave_in);
     if (state_.document.notice && state_.document.notice->kind == Notice::Kind::info)
       at_most(notice_lasts - notice_seen_);
     if (interface_.next_frame_in() >= 0) at_most(interface_.next_frame_in());
-    if (notes_) at_most(1);
     return wait;
   }
 
@@ -525,6 +530,8 @@ Result<void> Loop::act_by_outline(std::string_view does, std::string_view typed)
 }
 
 bool Loop::holds_at(float x, float y) const { return parts_->holds_at(x, y); }
+
+void Loop::autosave_now() { parts_->autosave_now(); }
 
 const State& Loop::state() const { return parts_->state(); }
 

@@ -31,6 +31,8 @@ class Loop {
   void act(const Action& action);
   /// Does what a button or a field of outline_with_commands stands for; fails where outlined_action does.
   Result<void> act_by_outline(std::string_view does, std::string_view typed);
+  /// Writes an autosave of unsaved work that has none yet: nobody may come back to what is left now.
+  void autosave_now();
   [[nodiscard]] const State& state() const;
   /// Whether a button is there, in units, that repeats while it is held down.
   [[nodiscard]] bool holds_at(float x, float y) const;

@@ -103,6 +103,11 @@ EMSCRIPTEN_KEEPALIVE double page_turn() {
   return next;
 }
 
+/// Before the page is hidden or gone: then it may get no turn any more.
+EMSCRIPTEN_KEEPALIVE void page_autosave() {
+  guarded([] { page_loop().autosave_now(); });
+}
+
 /// Why a scene is not opened that the page around this one has sent; empty if it is. It names no files: they would be
 /// read here, and what is wrong with them told there.
 EMSCRIPTEN_KEEPALIVE const char* page_refuses(const char* scene) {

@@ -42,7 +42,7 @@ const tabs = self.origin !== 'null' && typeof BroadcastChannel === 'function' ? 
 const is_own = (name) => name.startsWith('autosave');
 const key_of = (name) => is_own(name) ? `own/${tab}/${name}` : `shared/${name}`;
 let database = null;  // none: the browser keeps nothing
-const kept = new Map();  // of /kept: name to stamp, as last read or written
+const kept = new Map();  // of /kept: name to stamp, as last read or written; '': otherwise
 
 const done = (request) => new Promise((resolve, reject) => {
   request.onsuccess = () => resolve(request.result);
@@ -65,6 +65,31 @@ async function name_tab() {
   await hold('raywalk/' + tab);
 }
 
+async function open_database() {
+  const opening = indexedDB.open('raywalk', 1);
+  opening.onupgradeneeded = () => opening.result.createObjectStore('files');
+  const opened = database = await done(opening);
+  opened.onclose = () => database === opened && lose('closed');
+}
+
+// The browser closes it where the user clears what it keeps, or where it needs the room.
+function lose(why) {
+  console.warn('the database was lost:', why);
+  database = null;
+  keep_again();
+}
+
+// Writes all once more, later: what it failed by may pass.
+let again = 0;
+function keep_again() {
+  clearTimeout(again);
+  again = setTimeout(async () => {
+    if (!database) await open_database().catch(lose);
+    for (const name of kept.keys()) kept.set(name, '');
+    keep();
+  }, 5000);
+}
+
 // The kept files, by name. Autosaves of tabs that are gone become this tab's.
 async function recall() {
   const files = new Map();
@@ -72,9 +97,7 @@ async function recall() {
     await name_tab();
     const living = new Set((await navigator.locks.query()).held.map((lock) => lock.name));
     living.delete('raywalk/' + tab);
-    const opening = indexedDB.open('raywalk', 1);
-    opening.onupgradeneeded = () => opening.result.createObjectStore('files');
-    database = await done(opening);
+    await open_database();
     const store = database.transaction('files', 'readwrite').objectStore('files');
     const [keys, contents] = await Promise.all([done(store.getAllKeys()), done(store.getAll())]);
     const adopted = [];
@@ -114,7 +137,18 @@ function keep() {
   const changed = [...now].filter(([name, stamp]) => kept.get(name) !== stamp).map(([name]) => name);
   const gone = [...kept.keys()].filter((name) => !now.has(name));
   if (changed.length + gone.length === 0) return;
-  const store = database.transaction('files', 'readwrite').objectStore('files');
+  let writing;
+  try {
+    writing = database.transaction('files', 'readwrite');
+  } catch (why) {
+    return lose(why);
+  }
+  writing.onabort = () => {
+    console.warn('not kept:', writing.error);
+    for (const name of gone) kept.set(name, '');
+    keep_again();
+  };
+  const store = writing.objectStore('files');
   for (const name of changed) {
     const bytes = program.FS.readFile('/kept/' + name);
     store.put(bytes, key_of(name));
@@ -248,7 +282,14 @@ for (const type of ['pointermove', 'pointerdown', 'pointerup', 'pointerleave', '
   'paste', 'resize', 'focus', 'blur', 'touchstart', 'touchmove', 'touchend', 'fullscreenchange'])
   window.addEventListener(type, soon, true);
 
-window.addEventListener('pagehide', () => running && keep());
+// Hidden, it may never have a turn again.
+function leave() {
+  if (!running) return;
+  program._page_autosave();
+  keep();
+}
+window.addEventListener('pagehide', leave);
+document.addEventListener('visibilitychange', () => document.hidden && leave());
 
 // What GLFW's JavaScript leaves out: a drag goes on outside of the page.
 canvas.addEventListener('pointerdown', (event) => {
