@@ -1,5 +1,6 @@
 #include "gui/dialogs.h"
 
+#include "gui/platform.h"
 #include "gui/widgets.h"
 #include "view/document/question.h"
 #include "view/plan/plan_geometry.h"
@@ -9,6 +10,13 @@
 #include <algorithm>
 
 namespace raywalk {
+
+bool asks_for_files(const State& state) {
+  const auto& question = state.document.question;
+  const PathPrompt prompt = state.document.prompt;
+  return platform::has_file_chooser() &&
+         (question ? !question->why_not.empty() : prompt == PathPrompt::open || prompt == PathPrompt::start);
+}
 
 void question_dialog(const Ui& ui) {
   if (!ui.state.document.question) return;
@@ -48,6 +56,8 @@ void question_dialog(const Ui& ui) {
     pop_font();
   }
   ImGui::Dummy({1, ui.px(16)});
+  if (asks_for_files(ui.state) && button(ui, "question-device", ui.say("files.from_device"), "", {}, {}))
+    platform::choose_files();
   ImGui::EndPopup();
 }
 

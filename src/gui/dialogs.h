@@ -5,6 +5,9 @@
 
 namespace raywalk {
 
+/// Whether the user's own files are asked for, and come through the system's chooser: to open them, or because an
+/// autosave lacks them.
+[[nodiscard]] bool asks_for_files(const State& state);
 /// The open question, if there is one, with a button for each answer.
 void question_dialog(const Ui& ui);
 /// Enter gives the first answer, which is safe; Escape cancels if possible; a digit picks. Returns whether it did.

@@ -156,8 +156,34 @@ TEST_CASE("an autosave that cannot be read is reported and harms nothing") {
   restore_session(state);
   update(state, action::AnswerQuestion{Answer::recover});
   CHECK(state.scene() == busy_scene());
-  REQUIRE(state.document.notice);
-  CHECK(state.document.notice->kind == Notice::Kind::error);
+  REQUIRE(state.document.question);
+  CHECK_THAT(question_panel(state).text, contains("autosave.toml:2"));
+  update(state, action::AnswerQuestion{Answer::discard});
+  CHECK_FALSE(state.document.question);
+}
+
+TEST_CASE("an autosave whose scene lacks a file is asked about again, and recovered once that is there") {
+  const TemporaryFolder folder;
+  const std::string scenes = RAYWALK_SOURCE_DIR "/scenes", ball = folder.file("ball.ply"),
+                    scene = folder.file("a.toml");
+  std::filesystem::copy_file(scenes + "/ball.ply", ball);
+  std::filesystem::copy_file(scenes + "/mesh.toml", scene);
+  State crashed = make_state(read_document(scene), scene, folder.file("state"));
+  make_dirty(crashed);
+  const Scene lost = crashed.scene();
+  update(crashed, action::Tick{1});
+  crash(crashed);
+  std::filesystem::rename(ball, ball + ".away");
+  State state = make_state({busy_scene(), {}, {}}, {}, folder.file("state"));
+  restore_session(state);
+  update(state, action::AnswerQuestion{Answer::recover});
+  REQUIRE(state.document.question);
+  CHECK_THAT(question_panel(state).text, contains("ball.ply"));
+  std::filesystem::rename(ball + ".away", ball);
+  update(state, action::AnswerQuestion{Answer::recover});
+  CHECK_FALSE(state.document.question);
+  CHECK(state.scene() == lost);
+  CHECK(state.document.path == scene);
 }
 
 TEST_CASE("work is recovered out of the hunt and out of the lesson that a link has opened before the question") {

@@ -172,7 +172,12 @@ void discard_autosave(State& state, const std::string& autosave) {
 void recover(State& state, const Question& question) {
   const std::string& original = question.path;
   Result<SceneDocument> document = read_scene(file_in(state, question.autosave.c_str()));
-  if (!document) return complain(state, document.error().text());
+  if (!document) {
+    // A page begins without the user's files: once it has those that the scene names, this goes well.
+    state.document.question = question;
+    state.document.question->why_not = document.error().text();
+    return;
+  }
   std::string& text = document->text;
   if (const auto line = head_line(text, 0, autosave_head)) text.erase(0, line->next);
   if (const auto line = head_line(text, 0, time_head)) text.erase(0, line->next);

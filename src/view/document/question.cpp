@@ -59,6 +59,8 @@ QuestionPanel question_panel(const State& state) {
                               {{"file", question.path.empty() ? said(state, "scene.untitled") : question.path},
                                {"when", when},
                                {"other", file}});
+      if (!question.why_not.empty())
+        panel.text += "\n\n" + fill("question.recover_failed", state.appearance.language, {{"why", question.why_not}});
       choice(Answer::recover, "answer.recover");
       choice(Answer::cancel, "answer.later");
       choice(Answer::discard, "answer.throw_away");

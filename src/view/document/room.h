@@ -53,6 +53,7 @@ struct Question {
   std::string autosave{};  ///< recover: the autosave
   std::shared_ptr<const FileHold> hold{};  ///< recover: of it, so that no other window asks about it too
   std::string when{};                      ///< recover: when it was written: "2026-11-21T14:05"
+  std::string why_not{};                   ///< recover: why it could not be, once that was tried
 };
 template <>
 inline constexpr Word<Question::Kind> words_of<Question::Kind>[] = {{Question::Kind::unsaved, "unsaved"},
