@@ -1,9 +1,11 @@
 #include "gui/browser.h"
 
 #include "gui/broken_lines.h"
+#include "gui/dialogs.h"
 #include "gui/platform.h"
 #include "gui/widgets.h"
 #include "text/file_path.h"
+#include "view/document/document.h"
 #include "view/export/export.h"
 #include "view/text/text.h"
 
@@ -78,20 +80,10 @@ void Browser::begin(const State& state, const std::string& home) {
                             : opens(asking_)                   ? home
                                                                : std::string();
   go_to(absolute_path(first.empty() ? "." : first));
-  typed_.clear();
-  if (asking_ == PathPrompt::save_as)
-    typed_ = state.document.path.empty() ? "scene.toml" : current.stem().string() + ".toml";
-  if (asking_ == PathPrompt::save_predictions) typed_ = "predictions.csv";
-  if (asking_ == PathPrompt::export_walk) {
-    const LessonRoom& lessons = state.lessons;
-    typed_ = lessons.open                  ? lessons.open->lesson.name
-             : state.document.path.empty() ? "walk"
-                                           : current.filename().string();
-    // Presenters ask for the script, by its button; others start with slides.
-    export_asked_.reset();
-    if (lessons.open && lessons.presenter) export_asked_ = ExportKind::script;
-    typed_ = with_ending(typed_, export_asked_.value_or(ExportKind::slides));
-  }
+  typed_ = fs::path(offered_path(state)).filename().string();
+  export_asked_.reset();
+  // By its button, so that it stays one whatever is typed.
+  if (export_kind_of(typed_) == ExportKind::script) export_asked_ = ExportKind::script;
   focus_typed_ = asking_ != PathPrompt::start;
   page_ = Page::scenes;
   cards_.clear();
@@ -313,7 +305,7 @@ void Browser::draw(const Ui& ui, const std::string& home, GalleryPictures* pictu
   typed_ = buffer.data();
   ui.publish("browser-path");
   const ImVec2 large{ui.px(130), line};
-  if (!saves && platform::has_file_chooser()) {
+  if (asks_for_files(ui.state)) {
     if (button(ui, "browser-device", ui.say("files.from_device"), ui.say("files.from_device_hint"), {0, line}, {})) {
       platform::choose_files();
       ui.act(action::CancelPrompt{});

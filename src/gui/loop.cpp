@@ -6,6 +6,7 @@
 #include "gui/interface.h"
 #include "gui/live_costs.h"
 #include "gui/loading.h"
+#include "gui/mirror.h"
 #include "gui/notes.h"
 #include "gui/platform.h"
 #include "gui/report.h"
@@ -171,6 +172,11 @@ class Loop::Parts {
 
   Result<void> act_by_outline(std::string_view does, std::string_view typed) {
     if (film_) finish_film();
+    if (does == choosing_files) {
+      platform::choose_files();
+      act(action::CancelPrompt{});
+      return {};
+    }
     constexpr std::string_view by_name = "command ";
     if (does.starts_with(by_name)) {
       const std::string_view name = does.substr(by_name.size());

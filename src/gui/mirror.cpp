@@ -1,8 +1,10 @@
 #include "gui/mirror.h"
 
 #include "gui/command.h"
+#include "gui/dialogs.h"
 #include "gui/panes.h"
 #include "view/action_text.h"
+#include "view/document/document.h"
 
 #include <nlohmann/json.hpp>
 
@@ -35,13 +37,20 @@ void add_languages(OutlineItem& region, const State& state) {
   }
 }
 
+void add_file_chooser(OutlineItem& region, const State& state) {
+  OutlineItem button{Role::button, "device", fill("files.from_device", state.appearance.language)};
+  button.does = choosing_files;
+  button.hint = fill("files.from_device_hint", state.appearance.language);
+  region.items.push_back(std::move(button));
+}
+
 nlohmann::ordered_json json_of(const Outline& items) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const OutlineItem& item : items) {
     nlohmann::ordered_json json{{"role", name_of(item.role)}, {"key", item.key}, {"name", item.name}};
     if (!item.does.empty()) json["does"] = item.does;
     if (!item.hint.empty()) json["hint"] = item.hint;
-    if (item.role == Role::number || item.role == Role::words) json["value"] = item.value;
+    if (item.role == Role::number || item.role == Role::words || item.role == Role::path) json["value"] = item.value;
     if (!item.enabled) json["enabled"] = false;
     if (item.chosen) json["chosen"] = *item.chosen;
     if (item.current) json["current"] = true;
@@ -56,6 +65,10 @@ nlohmann::ordered_json json_of(const Outline& items) {
 
 Outline outline_with_commands(const State& state) {
   Outline outlined = outline(state);
+  if (waits_for_answer(state)) {
+    if (asks_for_files(state)) add_file_chooser(outlined.back(), state);
+    return outlined;
+  }
   const auto region = [&](std::string_view key) -> OutlineItem& {
     return *std::find_if(outlined.begin(), outlined.end(), [&](const OutlineItem& item) { return item.key == key; });
   };

@@ -4,10 +4,15 @@
 #include "view/outline.h"
 
 #include <string>
+#include <string_view>
 
 namespace raywalk {
 
-/// outline() and every command: those of the walk and of the plan in their regions, the others in those of their menus.
+/// What the button of the system's chooser of files `does`.
+inline constexpr std::string_view choosing_files = "choose-files";
+
+/// outline() and, unless an answer is waited for, every command: those of the walk and of the plan in their regions,
+/// the others in those of their menus.
 [[nodiscard]] Outline outline_with_commands(const State& state);
 
 /// It as JSON: `language`, and `items`, each with the members of OutlineItem that are not as by default.

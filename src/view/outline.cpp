@@ -73,9 +73,10 @@ class Outliner {
       }
       return {};
     }();
-    if (line.empty()) return;
+    if (line.empty() || state_.document.question) return;  // the dialog comes back after the question
     OutlineItem& region = open("prompt", say("outline.asks"));
-    field(region, Role::words, "path", say("dialog.path"), line, state_.document.path);
+    field(region, Role::path, "path", say("dialog.path"), line, offered_path(state_));
+    region.items.back().hint = say(line == "open {}" ? "command.open.label" : "command.save.label");
     if (line == "open {}") shipped(region);
     button(region, "cancel", say("answer.cancel"), action::CancelPrompt{});
   }
@@ -401,6 +402,7 @@ Outline outline(const State& state) {
   parts.notice();
   parts.question();
   parts.prompt();
+  if (waits_for_answer(state)) return std::move(parts).take();  // nothing else has an effect
   parts.lesson();
   parts.bugs();
   parts.walk();

@@ -23,6 +23,7 @@ struct OutlineItem {
     button,
     number,  ///< a field for a number
     words,   ///< a field for a text
+    path,    ///< the same for a file, with a button that takes what stands in it
   };
   Role role = Role::text;
   std::string key;   ///< differs from those of its siblings, and stays while the item does
@@ -30,7 +31,7 @@ struct OutlineItem {
   /// Of a button or a field: the action's line (view/action_text.h), where `{}` stands for what is typed; or `command`
   /// and a command's name.
   std::string does{};
-  std::string hint{};            ///< what a button does, in one clause
+  std::string hint{};            ///< what a button does, in one clause; of a path: its button's name
   std::string value{};           ///< of a field
   bool enabled = true;           ///< of a button
   std::optional<bool> chosen{};  ///< of a button that is on or off
@@ -40,17 +41,16 @@ struct OutlineItem {
 };
 template <>
 inline constexpr Word<OutlineItem::Role> words_of<OutlineItem::Role>[] = {
-    {OutlineItem::Role::region, "region"}, {OutlineItem::Role::text, "text"},
-    {OutlineItem::Role::news, "news"},     {OutlineItem::Role::warning, "warning"},
-    {OutlineItem::Role::list, "list"},     {OutlineItem::Role::entry, "entry"},
-    {OutlineItem::Role::button, "button"}, {OutlineItem::Role::number, "number"},
-    {OutlineItem::Role::words, "words"}};
+    {OutlineItem::Role::region, "region"},   {OutlineItem::Role::text, "text"},     {OutlineItem::Role::news, "news"},
+    {OutlineItem::Role::warning, "warning"}, {OutlineItem::Role::list, "list"},     {OutlineItem::Role::entry, "entry"},
+    {OutlineItem::Role::button, "button"},   {OutlineItem::Role::number, "number"}, {OutlineItem::Role::words, "words"},
+    {OutlineItem::Role::path, "path"}};
 
 /// A window in words: its regions, in the order of reading.
 using Outline = std::vector<OutlineItem>;
 
-/// All but the commands, which gui/mirror.h adds: what is asked, the walk, the lesson, the code, the plan, and the open
-/// tab.
+/// All but the commands, which gui/mirror.h adds: what is asked, or else the walk, the lesson, the code, the plan, and
+/// the open tab.
 [[nodiscard]] Outline outline(const State& state);
 
 /// The action of a button or field whose `does` this is, with what was typed; says in the state's language what is

@@ -56,6 +56,16 @@ TEST_CASE("the outline has every command once, in every mode and in every langua
     }
 }
 
+TEST_CASE("while an answer is waited for, the outline offers no commands") {
+  State state = classic_in_english();
+  update(state, action::AskSaveAs{});
+  CHECK(buttons(state).empty());
+  const auto json = nlohmann::ordered_json::parse(outline_json(state));
+  const auto& field = json["items"][0]["items"][0];
+  CHECK(field["role"] == "path");
+  CHECK(field["value"] == "scene.toml");
+}
+
 TEST_CASE("as JSON an outline keeps its words and its order, and leaves out what is usual") {
   const State state = classic_in_english();
   const Outline outlined = outline_with_commands(state);

@@ -4,6 +4,7 @@
 #include "lesson_state.h"
 #include "support/catch.h"
 #include "support/effort.h"
+#include "text/file.h"
 #include "view/action_text.h"
 #include "view/document/document.h"
 #include "view/lesson/typed_number.h"
@@ -57,7 +58,7 @@ std::string faults(const std::vector<OutlineItem>& items) {
   for (const OutlineItem& item : items) {
     if (!keys.insert(item.key).second) wrong += "twice " + item.key + "\n";
     if (item.name.empty()) wrong += "unnamed " + item.key + "\n";
-    const bool is_field = item.role == Role::number || item.role == Role::words;
+    const bool is_field = item.role == Role::number || item.role == Role::words || item.role == Role::path;
     const std::size_t gap = item.does.find("{}");
     if (is_field != (gap != std::string::npos)) wrong += "field " + item.key + "\n";
     if ((item.role == Role::button || is_field) &&
@@ -182,7 +183,7 @@ TEST_CASE("a question and a prompt are in the outline with all their answers") {
   use(state, Role::button, "Cancel");
   CHECK_FALSE(state.document.question);
   update(state, action::AskSaveAs{});
-  CHECK(named(state, Role::words, "File"));
+  CHECK(named(state, Role::path, "File")->hint == "Save");
   use(state, Role::button, "Cancel");
   CHECK(state.document.prompt == PathPrompt::none);
   update(state, action::AskNew{});
@@ -197,6 +198,47 @@ TEST_CASE("a question and a prompt are in the outline with all their answers") {
   use(state, Role::button, "A new scene");
   CHECK(state.document.path.empty());
   CHECK(state.document.prompt == PathPrompt::none);
+}
+
+TEST_CASE("while an answer is waited for, what has no effect is not offered") {
+  State state = classic_state();
+  make_dirty(state);
+  const auto regions = [&] {
+    std::string keys;
+    for (const OutlineItem& item : outline(state)) keys += item.key + " ";
+    return keys;
+  };
+  update(state, action::AskSaveAs{});
+  CHECK(regions() == "prompt ");
+  const TemporaryFolder folder;
+  REQUIRE(write_file_atomically(folder.file("there.toml"), ""));
+  update(state, action::SaveAs{folder.file("there.toml")});
+  CHECK(regions() == "question ");
+  update(state, action::AnswerQuestion{action::Answer::cancel});
+  CHECK(regions() == "prompt ");
+}
+
+TEST_CASE("the name that a dialog offers can be taken as it is") {
+  const TemporaryFolder folder;
+  State state = saved_state(folder, "mine.toml");
+  state.lessons.scenes_folder = RAYWALK_SOURCE_DIR "/scenes";
+  const auto offered = [&](const Action& asks) {
+    update(state, asks);
+    const auto field = named(state, Role::path, "File");
+    REQUIRE(field);
+    const Result<Action> taken = outlined_action(state, field->does, field->value);
+    REQUIRE(taken);
+    update(state, *taken);
+    CHECK(state.document.prompt == PathPrompt::none);
+    return field->value;
+  };
+  CHECK(offered(action::AskSaveAs{}) == folder.file("mine.toml"));
+  CHECK(offered(action::AskExport{}) == folder.file("mine.html"));
+  CHECK(std::filesystem::exists(folder.file("mine.html")));
+  // What is made of a shipped scene does not go among those.
+  state.document.path = shipped_path(state, "glass");
+  update(state, action::AskSaveAs{});
+  CHECK(named(state, Role::path, "File")->value == "glass.toml");
 }
 
 TEST_CASE("predictions are made by the outline") {

@@ -323,6 +323,24 @@ test('the text costs nothing before it is asked for, and speaks the language of 
   await page.close();
 });
 
+test('as text, a dialog takes the name that it offers, and a field shows what the program has', async () => {
+  const visit = await Visit.begin(browser, server.address), { page } = visit;
+  await use(page, 'button', open_as_text);
+  await use(page, 'textbox', 'Go to step', '99999');
+  const { position } = await visit.until((now) => now.position > 0);
+  assert.equal(await page.evaluate(() => document.activeElement.value), String(position));
+  await visit.act('ask-save-as');
+  await use(page, 'button', 'Save');
+  await visit.until((now) => now.prompt === '' && now.path === '/files/classic.toml');
+  await visit.act('ask-open');
+  await page.evaluate(() => { document.getElementById('chooser').click = () => { window.chooses = true; }; });
+  await use(page, 'button', 'From this device…');
+  await visit.until((now) => now.prompt === '');
+  assert.ok(await page.evaluate(() => window.chooses));
+  assert.deepEqual(visit.complaints, []);
+  await page.close();
+});
+
 test('who wants less motion gets less', async () => {
   const calm = is_firefox ? await open_browser({ 'ui.prefersReducedMotion': 1 }) : browser;
   const visit = await Visit.begin(calm, server.address);

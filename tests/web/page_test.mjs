@@ -5,7 +5,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
-import { Visit, is_firefox, open_browser, pictures, serve, site } from './browser.mjs';
+import { Visit, is_firefox, only_in_chromium, open_browser, pictures, serve, site } from './browser.mjs';
 
 let browser, server;
 const downloads = mkdtempSync(join(tmpdir(), 'raywalk-downloads-'));
@@ -159,6 +159,72 @@ test('an edit survives a reload, and belongs to its tab while that lives', async
   await visit.page.keyboard.press('Enter');
   await visit.until((now) => now.question === '' && now.dirty);
   await visit.page.close();
+});
+
+test('what is not saved yet is kept when the page is hidden, and again after the browser has closed its database', async () => {
+  const visit = await Visit.begin(browser, server.address), { page } = visit;
+  // Waits until a file whose key begins so has so many parts between such marks.
+  const kept = (key, mark, parts) => page.waitForFunction(async (begin, mark, parts) => {
+    const done = (request) => new Promise((resolve) => { request.onsuccess = () => resolve(request.result); });
+    const store = (await done(indexedDB.open('raywalk', 1))).transaction('files').objectStore('files');
+    const [keys, contents] = await Promise.all([done(store.getAllKeys()), done(store.getAll())]);
+    const file = contents[keys.findIndex((key) => key.startsWith(begin))];
+    return file && new TextDecoder().decode(file).split(mark).length === parts;
+  }, { timeout: 60000, polling: 200 }, key, mark, parts);
+  const parts = readFileSync(join(process.env.RAYWALK_SOURCE_DIR, 'scenes/classic.toml'), 'utf8').split('[[object]]').length;
+  await visit.add_sphere();
+  await visit.until((now) => now.dirty && now.undo === 1);
+  await kept('own/', '[[object]]', parts + 1);
+  await visit.add_sphere();
+  await visit.until((now) => now.undo === 2);
+  // Before the next autosave is due; and a page that is hidden has no frames.
+  await page.evaluate(() => {
+    window.requestAnimationFrame = () => 0;
+    Object.defineProperty(document, 'hidden', { value: true });
+    document.dispatchEvent(new Event('visibilitychange'));
+  });
+  await kept('own/', '[[object]]', parts + 2);
+  await page.evaluate(() => {
+    const own = IDBDatabase.prototype.transaction;
+    IDBDatabase.prototype.transaction = () => {
+      IDBDatabase.prototype.transaction = own;
+      throw new DOMException('closed', 'InvalidStateError');
+    };
+    window.raywalk.FS.writeFile('/kept/later', 'a|b');
+    document.dispatchEvent(new Event('visibilitychange'));
+  });
+  await kept('shared/later', '|', 2);
+  assert.ok(await page.evaluate(() => document.getElementById('says').hidden), 'the page goes on');
+  await page.close();
+});
+
+test('the presenter\'s notes have a tab of their own, which keeps the ends of their lines', only_in_chromium, async () => {
+  const visit = await Visit.begin(browser, server.address, {}, '&language=en#v=1/lesson=01-ray-casting/at=2');
+  const [notes] = await Promise.all([new Promise((opened) => visit.page.once('popup', opened)), visit.act('notes-window on')]);
+  await notes.waitForFunction(() => document.body.textContent && getComputedStyle(document.body).whiteSpace === 'pre-line');
+  assert.deepEqual(visit.complaints, []);
+  await visit.page.close();
+});
+
+test('work on a scene with a file of the user\'s is recovered once that is there again', async () => {
+  const visit = await Visit.begin(browser, server.address), { page } = visit;
+  const scenes = join(process.env.RAYWALK_SOURCE_DIR, 'scenes');
+  await (await page.$('#chooser')).uploadFile(join(scenes, 'mesh.toml'), join(scenes, 'ball.ply'));
+  await visit.until((now) => now.path === '/files/mesh.toml');
+  await visit.add_sphere();
+  await visit.until((now) => now.dirty);
+  await page.waitForFunction(() => window.raywalk.FS.analyzePath('/kept/autosave.toml').exists, { timeout: 60000 });
+  await page.reload();
+  await page.waitForFunction(() => document.getElementById('says').hidden);
+  await visit.until((now) => now.question === 'recover');
+  await page.keyboard.press('Enter');
+  await visit.until((now) => now.question === 'recover' && 'question-device' in now.items);
+  await (await page.$('#chooser')).uploadFile(join(scenes, 'ball.ply'));
+  await page.waitForFunction(() => window.raywalk.FS.analyzePath('/files/ball.ply').exists);
+  await page.keyboard.press('Enter');
+  await visit.until((now) => now.question === '' && now.dirty && now.path === '/files/mesh.toml');
+  assert.deepEqual(visit.complaints, []);
+  await page.close();
 });
 
 test('of two tabs that are gone both edits are kept, and the later one is offered', async () => {

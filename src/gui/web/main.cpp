@@ -10,6 +10,7 @@
 #include "render/render.h"
 #include "text/languages.h"
 #include "text/text_file.h"
+#include "view/document/document.h"
 
 #include <emscripten/em_js.h>
 #include <emscripten/emscripten.h>
@@ -143,7 +144,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_told() {
       {"last_right", predicted && state.predictions.made.back().right},
       {"done", lessons.done},
       {"asks", state.document.question.has_value()},
-      {"waits", state.document.question || state.document.prompt != PathPrompt::none},
+      {"waits", waits_for_answer(state)},
       {"error",
        state.document.notice && state.document.notice->kind == Notice::Kind::error ? state.document.notice->text : ""}};
   told = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);

@@ -23,10 +23,14 @@ class Mirror {
     if (!this.open) return;
     const now = this.ask();
     if (now === this.last) return;
+    const told = this.last;
     this.last = now;
     const { language, items } = JSON.parse(now);
     this.speaks(language);
+    this.news = [];
     this.fill(this.place.querySelector('.outline'), items);
+    // Of what comes with its text screen readers say nothing: this was there before.
+    if (told && this.news.length > 0) Mirror.say(this.place.querySelector('.unseen[role]'), this.news.join('\n'));
   }
 
   // Makes the children of an element those that the items stand for. What stays keeps its element, and so the focus.
@@ -82,40 +86,61 @@ class Mirror {
     return Object.assign(document.createElement(tag), more);
   }
 
-  static words(live) {
-    return () => {
+  static words(role, news) {
+    return (mirror) => {
       const element = Mirror.make('p');
-      if (live) element.setAttribute('role', live);
-      element.tell = (item) => Mirror.say(element, item.name);
+      Mirror.set(element, 'role', role);
+      element.tell = (item) => {
+        if (news && element.textContent !== item.name) mirror.news.push(item.name);
+        Mirror.say(element, item.name);
+      };
       return element;
     };
   }
 
-  static field(mode) {
+  // Safari takes one without marks for none, unless it is told.
+  static list() {
+    const list = Mirror.make('ol');
+    list.setAttribute('role', 'list');
+    return list;
+  }
+
+  // `takes`: with a button that sends what stands there, even as it came; else it is sent when it is changed.
+  static field(takes) {
     return (mirror) => {
-      const element = Mirror.make('div', { className: 'field' });
-      const label = Mirror.make('label'), input = Mirror.make('input', { type: 'text', inputMode: mode, autocomplete: 'off' });
+      const element = Mirror.make(takes ? 'form' : 'div', { className: 'field' });
+      const label = Mirror.make('label'), input = Mirror.make('input', { type: 'text', autocomplete: 'off' });
       const wrong = Mirror.make('span', { className: 'wrong' });
       wrong.setAttribute('role', 'alert');
       input.id = `field-${++Mirror.fields}`;
       wrong.id = input.id + '-wrong';
       label.htmlFor = input.id;
-      element.append(label, input, wrong);
-      let does = '', value = '';
+      const button = takes && Mirror.make('button');
+      element.append(label, input, ...(takes ? [button] : []), wrong);
+      let last = {}, shown = '';
+      const show = () => { input.value = shown = last.value; };
       const send = () => {
-        if (input.value === value) return;
-        const text = mirror.act(does, input.value);
+        const text = takes || input.value !== shown ? mirror.act(last.does, input.value) : '';
         Mirror.say(wrong, text);
         Mirror.set(input, 'aria-invalid', text ? true : null);
         Mirror.set(input, 'aria-describedby', text ? wrong.id : null);
-        if (!text) value = input.value;
+        if (!text && !takes) show();
       };
-      input.addEventListener('change', send); // Enter is one, too
+      if (takes) {
+        button.addEventListener('click', (event) => { // Enter is one, too
+          event.preventDefault();
+          send();
+        });
+      } else {
+        input.addEventListener('change', send); // Enter is one, too
+        input.addEventListener('blur', () => !wrong.textContent && show());
+      }
       element.tell = (item) => {
+        const differs = item.value !== last.value;
+        last = item;
         Mirror.say(label, item.name);
-        does = item.does;
-        if (document.activeElement !== input) input.value = item.value;
-        if (document.activeElement !== input) value = item.value;
+        if (takes) Mirror.say(button, item.hint);
+        if (differs && document.activeElement !== input) show();
       };
       return element;
     };
@@ -146,11 +171,11 @@ class Mirror {
       };
       return element;
     },
-    text: Mirror.words(null),
-    news: Mirror.words('status'),
+    text: Mirror.words(),
+    news: Mirror.words(null, true),
     warning: Mirror.words('alert'),
     list: (mirror) => {
-      const element = Mirror.make('div'), name = Mirror.make('h3'), list = Mirror.make('ol');
+      const element = Mirror.make('div'), name = Mirror.make('h3'), list = Mirror.list();
       name.id = `list-${++Mirror.fields}`;
       list.setAttribute('aria-labelledby', name.id);
       element.append(name, list);
@@ -174,7 +199,7 @@ class Mirror {
         const entries = items.filter((each) => each.role === 'entry'), others = items.filter((each) => each.role !== 'entry');
         if (others.length > 0 && !rest) element.insertBefore(rest = Mirror.make('div'), name.nextSibling);
         if (rest) mirror.fill(rest, others);
-        if (entries.length > 0 && !list) element.append(list = Mirror.make('ol'));
+        if (entries.length > 0 && !list) element.append(list = Mirror.list());
         if (list) mirror.fill(list, entries);
         if (list && entries.length === 0) list = list.remove() ?? null;
       };
@@ -194,7 +219,8 @@ class Mirror {
       };
       return element;
     },
-    number: Mirror.field('decimal'),
-    words: Mirror.field('text'),
+    number: Mirror.field(false),
+    words: Mirror.field(false),
+    path: Mirror.field(true),
   };
 }

@@ -308,7 +308,8 @@ header.innerHTML = '<h1 class="unseen"></h1><button type="button" id="as-text"><
 canvas.before(header, main);
 main.append(canvas, Object.assign(document.createElement('div'), { id: 'mirror', hidden: true }));
 const as_text = document.getElementById('as-text'), text_place = document.getElementById('mirror');
-text_place.innerHTML = '<h1 tabindex="-1"></h1><button type="button" class="leave"></button><div class="outline"></div>';
+text_place.innerHTML = '<h1 tabindex="-1"></h1><button type="button" class="leave"></button><div class="outline"></div>' +
+  '<p role="status" class="unseen"></p>';
 // Drawn at once: letters that wait for a frame are lost if a finger leaves the field before it.
 const keyboard = new Keyboard(canvas, { settle: () => running && turn() });
 new Touch(canvas, {

@@ -43,6 +43,10 @@ bool commit_if_valid(State& state, Scene next, int object, int light, EditMark m
 
 // files.cpp
 
+/// Whether a question or a dialog for a path is open: what is no answer has no effect.
+[[nodiscard]] inline bool waits_for_answer(const State& state) {
+  return state.document.question || state.document.prompt != PathPrompt::none;
+}
 /// The names of the shipped scenes, in alphabetical order: "classic".
 [[nodiscard]] std::vector<std::string> shipped_names(const State& state);
 [[nodiscard]] std::string shipped_path(const State& state, const std::string& name);
@@ -54,6 +58,9 @@ bool commit_if_valid(State& state, Scene next, int object, int light, EditMark m
 void show_document(State& state, SceneDocument document, std::string path);
 /// The same once the user's scene is closed, with all that belongs to it.
 void show_another(State& state, SceneDocument document, std::string path);
+/// What the dialog for a path offers to write to: beside the user's scene, but not among those that are shipped. Empty
+/// where a scene is to be opened.
+[[nodiscard]] std::string offered_path(const State& state);
 /// Opens the dialog for a path.
 void ask_path(State& state, PathPrompt prompt);
 /// Carries out the intent, once unsaved work is settled.

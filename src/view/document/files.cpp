@@ -162,6 +162,32 @@ void show_another(State& state, SceneDocument document, std::string path) {
   show_document(state, std::move(document), std::move(path));
 }
 
+std::string offered_path(const State& state) {
+  const std::filesystem::path own = state.document.path;
+  const LessonRoom& lessons = state.lessons;
+  std::filesystem::path offered;
+  switch (state.document.prompt) {
+    case PathPrompt::none:
+    case PathPrompt::start:
+    case PathPrompt::open:
+      return {};
+    case PathPrompt::save_as:
+      offered = (own.empty() ? "scene" : own.stem().string()) + std::string(scene_file_ending);
+      break;
+    case PathPrompt::save_predictions:
+      offered = "predictions.csv";
+      break;
+    case PathPrompt::export_walk:
+      // Presenters ask for the script; others start with slides.
+      offered = with_ending(lessons.open  ? lessons.open->lesson.name
+                            : own.empty() ? "walk"
+                                          : own.filename().string(),
+                            lessons.open && lessons.presenter ? ExportKind::script : ExportKind::slides);
+      break;
+  }
+  return own.empty() || is_shipped(state, own.string()) ? offered.string() : (own.parent_path() / offered).string();
+}
+
 void ask_path(State& state, PathPrompt prompt) {
   state.document.prompt = prompt;
   state.walk.playing = false;
