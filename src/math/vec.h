@@ -12,6 +12,7 @@
 #include <glm/vec3.hpp>
 
 #include <cmath>
+#include <limits>
 
 namespace raywalk {
 
@@ -71,6 +72,28 @@ template <class T>
 template <class T>
 [[nodiscard]] Vec3<T> normalize(const Vec3<T>& v) {
   return v / length(v);
+}
+
+/// The size of each component.
+template <class T>
+[[nodiscard]] Vec3<T> absolute(const Vec3<T>& v) {
+  return {std::abs(v.x), std::abs(v.y), std::abs(v.z)};
+}
+
+/// Whether v . v neither over- nor underflows.
+template <class T>
+[[nodiscard]] bool square_in_range(const Vec3<T>& v) {
+  const T square = dot(v, v);
+  return square >= std::numeric_limits<T>::min() && square <= std::numeric_limits<T>::max();
+}
+
+/// v scaled to length 1, however short or long it is, but for 0.
+template <class T>
+[[nodiscard]] Vec3<T> normalize_any_length(const Vec3<T>& v) {
+  if (square_in_range(v)) [[likely]]
+    return normalize(v);
+  const Vec3<T> size = absolute(v);
+  return normalize(v / std::fmax(size.x, std::fmax(size.y, size.z)));
 }
 
 /// The derivative of a unit vector v / |v|, from that of v.

@@ -64,7 +64,7 @@ template <class T, class Explain = NoExplanation>
 
 template <class T>
 [[nodiscard]] SurfacePoint<T> surface_at(const Disk<T>& disk, const Ray<T>& ray, Intersection<T> intersection) {
-  const Vec3<T> normal = normalize(disk.normal);
+  const Vec3<T> normal = normalize_any_length(disk.normal);
   const Vec3<T> position = ray.at(intersection.t);
   return {position - dot(position - disk.centre, normal) * normal, normal};
 }
@@ -88,10 +88,11 @@ template <class T>
 
 template <class T>
 [[nodiscard]] Bounds<T> bounds(const Disk<T>& disk) {
-  const Vec3<T> n = normalize(disk.normal);
-  Vec3<T> reach;
-  for (int axis = 0; axis < 3; ++axis) reach[axis] = disk.radius * std::sqrt(std::fmax(T(0), 1 - n[axis] * n[axis]));
-  return {disk.centre - reach, disk.centre + reach};
+  const Vec3<T> n = normalize_any_length(disk.normal);
+  // By the normal's other two components: 1 - n^2 has no digits where the disk is nearly level.
+  const auto reach = [&](T a, T b) { return disk.radius * std::sqrt(a * a + b * b); };
+  const Vec3<T> half(reach(n.y, n.z), reach(n.z, n.x), reach(n.x, n.y));
+  return {disk.centre - half, disk.centre + half};
 }
 
 }  // namespace raywalk

@@ -288,9 +288,15 @@ template <class T, QuadricKind Kind>
 Bounds<T> bounds(const Quadric<T, Kind>& quadric) {
   // At height z the cross section has radii rx, ry times sqrt(widest(z)), where that is not negative.
   const detail::QuadricEquation e = detail::equation_of(quadric);
-  const auto widest = [&](double z) { return -((e.zz * z + e.linear) * z + e.constant); };
-  double low = static_cast<double>(quadric.z_min), high = static_cast<double>(quadric.z_max);
   const double rz = static_cast<double>(quadric.radii.z);
+  const auto widest = [&](double z) {
+    // Near a pole the difference of the squares has no digits.
+    const double square = (z - rz) / rz * ((z + rz) / rz);
+    if (Kind == QuadricKind::ellipsoid) return -square;
+    if (Kind == QuadricKind::hyperboloid_two_sheets) return square;
+    return -((e.zz * z + e.linear) * z + e.constant);
+  };
+  double low = static_cast<double>(quadric.z_min), high = static_cast<double>(quadric.z_max);
   if (Kind == QuadricKind::ellipsoid) low = std::max(low, -rz), high = std::min(high, rz);
   if (Kind == QuadricKind::elliptic_paraboloid) low = std::max(low, 0.0);
   double square = std::max(Kind == QuadricKind::ellipsoid && low < 0 && high > 0 ? 1.0 : 0.0,

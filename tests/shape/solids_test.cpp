@@ -124,6 +124,16 @@ TEMPLATE_TEST_CASE("a ray goes in and out of a closed solid in turn", "[shape]",
   });
 }
 
+TEST_CASE("the bounds of a quadric hold its cap next to a pole", "[shape]") {
+  Random<double> random;
+  for (int i = 0; i < 100; ++i) {
+    const double rz = 2 + random.point(1).x, inside = std::nextafter(rz, 0.0), outside = std::nextafter(rz, 9.0);
+    const auto reach = [&](double z) { return std::sqrt(std::abs(rz - z) * (rz + z)) / rz; };
+    CHECK(bounds(Ellipsoid<double>{{1, 1, rz}, inside, rz, true}).max.x == Approx(reach(inside)));
+    CHECK(bounds(HyperboloidTwoSheets<double>{{1, 1, rz}, rz, outside, true}).max.x == Approx(reach(outside)));
+  }
+}
+
 TEST_CASE("an open quadric is its wall alone, limits excluded", "[shape]") {
   for_each_kind([&](auto kind) {
     using Solid = Quadric<double, kind.value>;
