@@ -67,9 +67,9 @@ class Triangles {
     return {position(c[0]), position(c[1]), position(c[2])};
   }
 
-  /// Whether one has no normal: it is not hit.
+  /// Whether one has an area of exactly 0, and so no normal: it is not hit.
   [[nodiscard]] static bool degenerate(const Triangle<T>& triangle) {
-    return cross(triangle.b - triangle.a, triangle.c - triangle.a) == Vec3<T>(0);
+    return cross(triangle.b - triangle.a, triangle.c - triangle.a) == Vec3<T>(0) && normal_of(triangle) == Vec3<T>(0);
   }
 
   /// `AnyRay` is a Ray, a ShearedRay or a NaiveRay.
@@ -272,7 +272,7 @@ bool Triangles<T>::leaves_by_edge(int from, int to, const Ray<T>& ray, T t) cons
   const Triangle<T> left = (*this)[from];
   const auto shared = [&](const Vec3<T>& p) { return p == left.a || p == left.b || p == left.c; };
   if (!shared(met.a) && !shared(met.b) && !shared(met.c)) return false;
-  const auto side = [&](const Triangle<T>& of) { return dot(cross(of.b - of.a, of.c - of.a), ray.direction); };
+  const auto side = [&](const Triangle<T>& of) { return dot(normal_of(of), ray.direction); };
   return side(left) * side(met) > 0;
 }
 

@@ -1,5 +1,7 @@
 #include "math/exact.h"
 
+#include <array>
+
 namespace raywalk {
 
 namespace detail {
@@ -10,6 +12,26 @@ Expansion exact_dot(const Vec3d& n, const Vec3d& d) {
 Expansion exact_dot_of_difference(const Vec3d& n, const Vec3d& p, const Vec3d& o) {
   return Expansion(n.x) * (Expansion(p.x) - o.x) + Expansion(n.y) * (Expansion(p.y) - o.y) +
          Expansion(n.z) * (Expansion(p.z) - o.z);
+}
+
+Vec3d exact_normal(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+  // Each edge scaled by a power of two, which is exact, to about 1: no product over- or underflows.
+  const auto edge = [&](const Vec3d& to) {
+    const Vec3d rounded = absolute(to - a);
+    const double size = max_component(rounded);
+    const int exponent = size > 0 && std::isfinite(size) ? -std::ilogb(size) : 0;
+    const auto along = [&](int axis) {
+      const DoubleDouble exact = two_sum(to[axis], -a[axis]);
+      return Expansion(std::scalbn(exact.hi, exponent)) + std::scalbn(exact.lo, exponent);
+    };
+    return std::array{along(0), along(1), along(2)};
+  };
+  const auto ab = edge(b), ac = edge(c);
+  const auto along = [&](std::size_t i, std::size_t j) {
+    return static_cast<double>((ab[i] * ac[j] - ab[j] * ac[i]).rounded());
+  };
+  const Vec3d normal(along(1, 2), along(2, 0), along(0, 1));
+  return normal == Vec3d(0.0) ? normal : normalize_any_length(normal);
 }
 
 }  // namespace detail

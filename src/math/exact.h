@@ -23,6 +23,9 @@ constexpr double half_ulp = 1.1102230246251565e-16;
 [[nodiscard, gnu::cold]] Expansion exact_dot(const Vec3d& n, const Vec3d& d);
 [[nodiscard, gnu::cold]] Expansion exact_dot_of_difference(const Vec3d& n, const Vec3d& p, const Vec3d& o);
 
+/// The unit vector along (b - a) x (c - a), however short that is; 0 only where it is exactly 0.
+[[nodiscard, gnu::cold]] Vec3d exact_normal(const Vec3d& a, const Vec3d& b, const Vec3d& c);
+
 }  // namespace detail
 
 /// n . d

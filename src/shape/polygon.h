@@ -141,7 +141,7 @@ template <class T, class Explain = NoExplanation>
 template <class T>
 [[nodiscard]] SurfacePoint<T> surface_at(const Polygon<T>& polygon, const Vec3<T>& area_vector, const Ray<T>& ray,
                                          Intersection<T> intersection) {
-  const Vec3<T> normal = normalize(area_vector);
+  const Vec3<T> normal = normalize_any_length(area_vector);
   const Vec3<T> position = ray.at(intersection.t);
   return {position - dot(position - polygon.outline.front(), normal) * normal, normal};
 }

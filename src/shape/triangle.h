@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace raywalk {
@@ -49,18 +50,50 @@ template <class T, class Coordinate, class Explain = NoExplanation>
 [[nodiscard]] std::optional<Intersection<T>> intersect_corners(const Coordinate& coordinate, const ShearedRay<T>& ray,
                                                                T t_max, int departed_part, Explain&& explain = {});
 
+/// Of unit length, towards the front; 0 only where the area is exactly 0. Exact arithmetic finds it where the cross
+/// product of the edges has no digits in T: the corners lie on a line but for rounding, or are very near or far apart.
+template <class T>
+[[nodiscard]] Vec3<T> normal_of(const Triangle<T>& triangle) {
+  const Vec3<T> area = cross(triangle.b - triangle.a, triangle.c - triangle.a);
+  if (!square_in_range(area)) [[unlikely]]
+    return Vec3<T>(detail::exact_normal(wide(triangle.a), wide(triangle.b), wide(triangle.c)));
+  return normalize(area);
+}
+
 template <class T>
 [[nodiscard]] SurfacePoint<T> surface_at(const Triangle<T>& triangle, const Ray<T>& ray, Intersection<T> intersection) {
-  const Vec3<T> normal = normalize(cross(triangle.b - triangle.a, triangle.c - triangle.a));
+  const Vec3<T> normal = normal_of(triangle);
   const Vec3<T> position = ray.at(intersection.t);
   return {position - dot(position - triangle.a, normal) * normal, normal};
 }
+
+namespace detail {
+
+/// `barycentric_along` where the cross product of the edges has no digits in T: with edges scaled to about 1. Of a
+/// triangle that is thinner than a rounded point is known the weights along it count, not those across.
+template <class T>
+[[nodiscard, gnu::noinline, gnu::cold]] Vec2<T> barycentric_along_scaled(const Triangle<T>& triangle,
+                                                                         const Vec3<T>& vector) {
+  Vec3d ab = wide(triangle.b) - wide(triangle.a), ac = wide(triangle.c) - wide(triangle.a);
+  const double size = std::fmax(max_component(absolute(ab)), max_component(absolute(ac)));
+  ab /= size, ac /= size;
+  const Vec3d along = wide(vector) / size, normal = cross(ab, ac);
+  constexpr double thin = 16 * static_cast<double>(std::numeric_limits<T>::epsilon());
+  if (const double area2 = dot(normal, normal); area2 > thin * thin)
+    return Vec2<T>(Vec2d(dot(cross(along, ac), normal), dot(cross(ab, along), normal)) / area2);
+  const double to_b = dot(along, ab), to_c = dot(along, ac);
+  return Vec2<T>(to_b > to_c ? Vec2d(to_b / dot(ab, ab), 0) : Vec2d(0, to_c / dot(ac, ac)));
+}
+
+}  // namespace detail
 
 /// By how much the barycentric weights of b and c change along a vector.
 template <class T>
 [[nodiscard]] Vec2<T> barycentric_along(const Triangle<T>& triangle, const Vec3<T>& vector) {
   const Vec3<T> ab = triangle.b - triangle.a, ac = triangle.c - triangle.a;
   const Vec3<T> normal = cross(ab, ac);
+  if (!square_in_range(normal)) [[unlikely]]
+    return detail::barycentric_along_scaled(triangle, vector);
   const T area2 = dot(normal, normal);
   return {dot(cross(vector, ac), normal) / area2, dot(cross(ab, vector), normal) / area2};
 }

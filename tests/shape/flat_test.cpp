@@ -128,6 +128,51 @@ TEST_CASE("a disk ends at its rim", "[shape]") {
   CHECK(box.max.y == Approx(1));
 }
 
+TEMPLATE_TEST_CASE("the bounds of a disk hold it however little it is tilted", "[shape]", float, double) {
+  using T = TestType;
+  for (const T tilt : {std::sqrt(std::numeric_limits<T>::epsilon()), T(1e-4), std::numeric_limits<T>::epsilon()}) {
+    const Bounds<T> box = bounds(Disk<T>{{0, 0, 0}, {-tilt / 4, 0, 1}, 100});
+    CHECK(box.max.z == Approx(25 * tilt));
+    CHECK(box.min.z == -box.max.z);
+    CHECK(box.max.x == Approx(100));
+  }
+}
+
+TEMPLATE_TEST_CASE("flat shapes of any size have unit normals and weights that give the point", "[shape]", float,
+                   double) {
+  using T = TestType;
+  for (int exponent = -90; exponent <= 60; exponent += 10) {
+    const T size = std::ldexp(T(1), sizeof(T) == 4 ? exponent : 3 * exponent);
+    CAPTURE(size);
+    const Triangle<T> triangle{size * Vec3<T>(1, 1, 1), size * Vec3<T>(2, 1, 3), size * Vec3<T>(1, 3, 1)};
+    const Ray<T> ray{size * Vec3<T>(T(1.25), T(1.5), 4), {0, 0, -size}};
+    const auto met = intersect(triangle, ray, infinity<T>);
+    REQUIRE(met);
+    const Vec3<T> normal = surface_at(triangle, ray, *met).normal;
+    CHECK(normal.x == Approx(-2 / std::sqrt(5)));
+    CHECK(normal.z == Approx(1 / std::sqrt(5)));
+    const Vec2<T> weights = barycentric(triangle, ray.at(met->t));
+    CHECK(weights.x == Approx(0.25));
+    CHECK(weights.y == Approx(0.25));
+    if (exponent < -60) continue;  // an area vector has to be in range
+    const Polygon<T> polygon{{triangle.a, triangle.b, triangle.c}, {}};
+    CHECK(surface_at(polygon, ray, *met).normal.x == Approx(-2 / std::sqrt(5)));
+  }
+}
+
+TEST_CASE("a triangle has no normal only where its area is exactly 0", "[shape]") {
+  const Triangle<double> line{{0, 0, 0}, {1, 3, 0}, {2, 6, 0}};
+  CHECK(normal_of(line) == Vec3d(0.0));
+  // An area of -1e-18, which a rounded cross product takes for 0.
+  const Triangle<double> sliver{{0.23662438918608703, 0.9550225344814793, 0},
+                                {0.18496803226808425, 0.656151175036132, 0},
+                                {0.0946466741707001, 0.13357334159802928, 0}};
+  REQUIRE(cross(sliver.b - sliver.a, sliver.c - sliver.a) == Vec3d(0.0));
+  CHECK(std::abs(normal_of(sliver).z) == 1);
+  const Vec2d weights = barycentric(sliver, 0.5 * (sliver.a + sliver.c));
+  CHECK(weights.x + weights.y == Approx(0.5));
+}
+
 TEST_CASE("t is right to a few ulps in a sliver, too") {
   // From the full count of the hard-case suite: the weights of its corners have few digits right there.
   const Triangle<double> sliver{{-1.4723052402458738, 2.0689060161589761, 0.36194471267697759},
