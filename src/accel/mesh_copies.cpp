@@ -14,21 +14,9 @@ namespace {
 /// Twice the rounding error of mapping, in proportion to the sizes of its terms, is less.
 constexpr double map_error = 8 * std::numeric_limits<double>::epsilon();
 
-Vec3d absolute(const Vec3d& v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }
-
-/// |M| v: the sizes of the terms that a point or direction is mapped by.
-Vec3d sizes(const Affine<double>& map, const Vec3d& v) {
-  return v.x * absolute(map.x) + v.y * absolute(map.y) + v.z * absolute(map.z);
-}
-
 /// Of mapping points whose coordinates are up to `size`.
 Vec3d rounding_of(const Affine<double>& map, const Vec3d& size) {
-  return map_error * (sizes(map, size) + absolute(map.move));
-}
-
-Vec3d largest(const Bounds<double>& box) {
-  const Vec3d a = absolute(box.min), b = absolute(box.max);
-  return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
+  return map_error * (term_sizes(map, size) + absolute(map.move));
 }
 
 /// The tree that all copies of a mesh share, in its own space.
@@ -56,14 +44,14 @@ WideTree tree_over(const Mesh& mesh, const BuildOptions& build) {
 
 CopyPlace::CopyPlace(const Affine<double>& to_world, const Bounds<double>& box, const Bounds<double>& placed,
                      double rounding)
-    : to_mesh_(inverse(to_world).value_or(Affine<double>{})), far_(largest(placed)) {
+    : to_mesh_(inverse(to_world).value_or(Affine<double>{})), far_(largest_coordinates(placed)) {
   const Affine<double>&a = to_mesh_, &m = to_world, both = a * m;
-  const Vec3d size = largest(box);
+  const Vec3d size = largest_coordinates(box);
   // (A M - I) p, in which A M is itself rounded.
   const Affine<double> residue{both.x - Vec3d(1, 0, 0), both.y - Vec3d(0, 1, 0), both.z - Vec3d(0, 0, 1), both.move};
   const Vec3d of_map =
-      sizes(residue, size) + absolute(residue.move) + rounding_of(a, sizes(m, size) + absolute(m.move));
-  off_ = 2.0 * (of_map + sizes(a, rounding_of(m, size) + rounding * far_));
+      term_sizes(residue, size) + absolute(residue.move) + rounding_of(a, term_sizes(m, size) + absolute(m.move));
+  off_ = 2.0 * (of_map + term_sizes(a, rounding_of(m, size) + rounding * far_));
 }
 
 Vec3d CopyPlace::off_at(const Vec3d& origin) const {
@@ -71,7 +59,7 @@ Vec3d CopyPlace::off_at(const Vec3d& origin) const {
 }
 
 double CopyPlace::turned(const Vec3d& direction, const Vec3d& along) const {
-  return map_error * max_component(sizes(to_mesh_, absolute(direction))) / max_component(absolute(along));
+  return map_error * max_component(term_sizes(to_mesh_, absolute(direction))) / max_component(absolute(along));
 }
 
 template <class T>
@@ -96,7 +84,8 @@ MeshCopies<T>::MeshCopies(const Primitives<T>& primitives, const BuildOptions& b
     constexpr double rounding = static_cast<double>(std::numeric_limits<T>::epsilon());
     if (!placed.empty()) {
       // As a primitive's own box is (Primitives::box), and by what mapping it rounds.
-      const Vec3d pad = 8 * rounding * largest(placed) + rounding_of(copy.to_world, largest(box));
+      const Vec3d pad =
+          8 * rounding * largest_coordinates(placed) + rounding_of(copy.to_world, largest_coordinates(box));
       placed.min -= pad, placed.max += pad;
     }
     tree_of_.push_back(entry->second);

@@ -36,21 +36,32 @@ void Primitives<T>::move(int first, int end, const Motion& motion) {
 template <class T>
 Bounds<T> Primitives<T>::box(int id) const {
   Bounds<T> box = id < shape_count() ? bounds(own(id)) : bounds(triangles_[id - shape_count()]);
-  if (const ObjectTransform<T>* transform = transform_of(id)) box = image_of(transform->to_world, box);
+  // The largest of the numbers that a hit is computed from, which may cancel: its rounding is in proportion to them.
+  Vec3<T> size = largest_coordinates(box);
+  if (const ObjectTransform<T>* transform = transform_of(id)) {
+    const Affine<T>&out = transform->to_world, &in = transform->to_object;
+    const Vec3<T> own = size;
+    box = image_of(out, box);
+    size = largest_coordinates(box);
+    if (box.bounded()) size = absolute(out.move) + term_sizes(out, own + absolute(in.move) + term_sizes(in, size));
+  }
   if (const Motion* motion = motion_of(id); motion && !box.empty()) {
     const Bounds<T> rest = box;
+    Bounds<T> offsets;
     box = {};
     const auto include = [&](double time) {
       const Vec3<T> offset(offset_at(*motion, time));
       box.include({rest.min + offset, rest.max + offset});
+      offsets.include(offset);
     };
     include(open_);
     include(close_);
     for (const MotionKey& key : *motion)
       if (open_ < key.time && key.time < close_) include(key.time);
+    size += largest_coordinates(offsets);
   }
   for (int axis = 0; axis < 3; ++axis) {
-    const T pad = 8 * std::numeric_limits<T>::epsilon() * std::fmax(std::abs(box.min[axis]), std::abs(box.max[axis]));
+    const T pad = 8 * std::numeric_limits<T>::epsilon() * size[axis];
     box.min[axis] -= pad;
     box.max[axis] += pad;
   }

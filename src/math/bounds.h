@@ -27,6 +27,13 @@ struct Bounds {
   }
 };
 
+/// The size of the largest coordinate along each axis.
+template <class T>
+[[nodiscard]] Vec3<T> largest_coordinates(const Bounds<T>& box) {
+  const Vec3<T> a = absolute(box.min), b = absolute(box.max);
+  return {std::fmax(a.x, b.x), std::fmax(a.y, b.y), std::fmax(a.z, b.z)};
+}
+
 /// Half the surface, to which the chance of a ray that crosses it is proportional.
 template <class T>
 [[nodiscard]] T half_area(const Bounds<T>& box) {

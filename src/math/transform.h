@@ -27,6 +27,13 @@ struct Affine {
   }
 };
 
+/// |M| v: the sizes of the terms that a point with coordinates up to `v` is mapped by. The rounding of its image is in
+/// proportion to them.
+template <class T>
+[[nodiscard]] Vec3<T> term_sizes(const Affine<T>& m, const Vec3<T>& v) {
+  return v.x * absolute(m.x) + v.y * absolute(m.y) + v.z * absolute(m.z);
+}
+
 /// The composition: first `inner`, then `outer`.
 template <class T>
 [[nodiscard]] Affine<T> operator*(const Affine<T>& outer, const Affine<T>& inner) {
