@@ -39,6 +39,12 @@ class KdTree {
       if constexpr (Watching<Query>) query.record().skipped(box_);
       return;
     }
+    // How far off a primitive's map may round the ray, in space and in t; mostly 0.
+    Vec3<T> off, off_in_t;
+    for (int axis = 0; axis < 3; ++axis) {
+      off[axis] = slack_along(slabs, axis);
+      off_in_t[axis] = off[axis] > 0 ? off[axis] * std::abs(slabs.inverse[axis]) : T(0);
+    }
     struct StackEntry {
       std::uint32_t node;
       T in, out;
@@ -68,7 +74,9 @@ class KdTree {
         const T t = (node.plane - ray.origin[axis]) * slabs.inverse[axis];
         // Rounding may move the crossing across either end of the interval: widen it, and visit both children if in
         // doubt.
-        const T slack = std::isinf(t) ? T(0) : 16 * std::numeric_limits<T>::epsilon() * std::abs(t);
+        const T gap = std::abs(node.plane - ray.origin[axis]);
+        const T slack = std::isinf(t) ? (gap <= off[axis] ? infinity<T> : T(0))
+                                      : 16 * std::numeric_limits<T>::epsilon() * std::abs(t) + off_in_t[axis];
         // A ray that starts in the plane crosses it at t = 0, so the child that it enters is the far one.
         const bool below_first =
             ray.origin[axis] < node.plane || (ray.origin[axis] == node.plane && !slabs.negative[axis]);

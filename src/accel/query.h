@@ -237,6 +237,12 @@ struct SlabRay {
   bool negative[3];
 };
 
+/// How far the ray may be off along an axis, and more.
+template <class T>
+[[nodiscard]] T slack_along(const SlabRay<T>& ray, int axis) {
+  return std::abs(ray.from_in[axis] - ray.from_out[axis]);
+}
+
 /// An interval of t along a ray; empty when !(in <= out).
 template <class T>
 struct RayInterval {
@@ -276,6 +282,10 @@ struct NaiveSlabRay {
 template <class T>
 [[nodiscard]] NaiveSlabRay<T> slabs_of(const NaiveRay<T>& ray, const Primitives<T>& /*primitives*/) {
   return {ray.origin, T(1) / ray.direction, {ray.direction.x < 0, ray.direction.y < 0, ray.direction.z < 0}};
+}
+template <class T>
+[[nodiscard]] T slack_along(const NaiveSlabRay<T>& /*ray*/, int /*axis*/) {
+  return 0;
 }
 template <class T>
 [[nodiscard]] RayInterval<T> clip(const NaiveSlabRay<T>& ray, const Bounds<T>& box, RayInterval<T> within) {

@@ -57,6 +57,40 @@ TEMPLATE_TEST_CASE("a closed mesh has no leaks at its corners and edges", "[mesh
   CHECK(differing == 0);
 }
 
+TEMPLATE_TEST_CASE("a corner that is on a neighbour's edge but for rounding leaves no gap", "[mesh]", float, double) {
+  using T = TestType;
+  Numbers next(17);
+  TestCounts counts;
+  int thin = 0, lost = 0, bent = 0;
+  for (int i = 0; i < rounds(1000); ++i) {
+    // A square with the diagonal ab; on one side c halves it, and abc, of hardly any width, fills what is between.
+    const auto corner = [&] { return Vec3<T>(plan(next.in_box<T>()), 0); };
+    const Vec3<T> a = corner(), b = corner(), c = a + static_cast<T>(next.real(0.1, 0.9)) * (b - a),
+                  across(a.y - b.y, b.x - a.x, 0);
+    auto mesh = std::make_shared<Mesh>();
+    for (const Vec3<T>& at : {a, b, c, a + across, a - across}) mesh->positions.push_back(wide(at));
+    mesh->triangles = {{0, 1, 3}, {0, 2, 1}, {0, 4, 2}, {2, 4, 1}};
+    Primitives<T> stored, copied;
+    stored.add(*mesh, {}, false);
+    copied.add_copy(mesh, {}, false);
+    const Ray<T> ray{c + Vec3<T>(0, 0, 1), {0, 0, -1}};
+    for (const Primitives<T>& primitives : {stored, copied})
+      for (const AcceleratorKind kind : {AcceleratorKind::none, AcceleratorKind::bvh}) {
+        const auto hit = Accelerator<T>(primitives, kind).closest(ray, infinity<T>, counts);
+        lost += !hit;
+        if (!hit) continue;
+        thin += hit->primitive == 1;
+        const SurfacePoint<T> point = primitives.surface_at(hit->primitive, ray, {hit->t, hit->part});
+        const Vec2<T> weights = barycentric(primitives.triangles()[hit->primitive], point.position);
+        bent += std::abs(point.normal.z) != 1 ||
+                !(weights.x > T(-0.1) && weights.y > T(-0.1) && weights.x + weights.y < T(1.1));
+      }
+  }
+  CHECK(thin > 0);
+  CHECK(lost == 0);
+  CHECK(bent == 0);
+}
+
 TEMPLATE_TEST_CASE("rays that leave from an edge meet neither of its triangles", "[mesh]", float, double) {
   using T = TestType;
   const double scale = GENERATE(1e-3, 1.0, 1e6), shift = GENERATE(0.0, 100.0);
@@ -173,6 +207,59 @@ TEMPLATE_TEST_CASE("accelerators agree over meshes, mapped shapes and what moves
     CHECK(on_meshes > rounds(300));
     CHECK(moving > rounds(100));
   }
+}
+
+TEMPLATE_TEST_CASE("accelerators miss nothing that is computed far away from where it stands", "[mesh]", float,
+                   double) {
+  using T = TestType;
+  // There, all that is known of a ball is within one of its own radii.
+  const double away = 0.5 / static_cast<double>(std::numeric_limits<T>::epsilon());
+  Primitives<T> primitives;
+  for (int i = 0; i < 4; ++i) {
+    primitives.add(Sphere<T>{Vec3<T>(Vec3d(away, 2 * i, 0)), T(0.4)},
+                   *object_transform<T>(translation(Vec3d(-away, -3, 0))));
+    primitives.add(Sphere<T>{Vec3<T>(Vec3d(2 * i - 3, away, 0)), T(0.4)});
+    primitives.move(2 * i + 1, 2 * i + 2, {{0, {0, -away, 0}}, {1, {0, 1 - away, 0}}});
+  }
+  const Accelerator<T> list(primitives, AcceleratorKind::none);
+  Numbers next(23);
+  std::vector<Ray<T>> rays;
+  for (int i = 0; i < rounds(3000); ++i) {
+    const Vec3<T> eye = T(8) * next.unit<T>();
+    rays.push_back({eye, next.in_box<T>(4) - eye, {}, static_cast<T>(next.real(0, 1))});
+  }
+  for (const AcceleratorKind kind : structures) {
+    INFO(name_of(kind));
+    const Accelerator<T> structure(primitives, kind);
+    TestCounts counts;
+    int differing = 0, hits = 0;
+    for (const Ray<T>& ray : rays) {
+      const auto expected = list.closest(ray, infinity<T>, counts);
+      hits += expected.has_value();
+      differing += !same(expected, structure.closest(ray, infinity<T>, counts));
+    }
+    CHECK(differing == 0);
+    CHECK(hits > rounds(100));
+  }
+}
+
+TEST_CASE("trees miss nothing that a map's rounding moves rays from afar to", "[mesh]") {
+  Numbers next(29);
+  Primitives<float> primitives;
+  for (int i = 0; i < 200; ++i) {
+    const Affine<double> turn = rotation(next.unit<double>(), next.real(0, 360));
+    primitives.add(Ellipsoid<float>{}, *object_transform<float>(translation(next.in_box<double>()) * turn *
+                                                                scaling(next.real(0.02, 0.05) * Vec3d(1, 0.5, 0.7))));
+  }
+  const Accelerator<float> list(primitives, AcceleratorKind::none), tree(primitives, AcceleratorKind::kdtree);
+  TestCounts counts;
+  int differing = 0;
+  for (int i = 0; i < rounds(8000); ++i) {
+    const Vec3<float> d = next.unit<float>();
+    const Ray<float> ray{next.in_box<float>() - 1e7F * d, d};
+    differing += !same(list.closest(ray, infinity<float>, counts), tree.closest(ray, infinity<float>, counts));
+  }
+  CHECK(differing == 0);
 }
 
 TEMPLATE_TEST_CASE("what moves is met where it is at the ray's time", "[mesh]", float, double) {
