@@ -36,7 +36,8 @@ struct Judgement {
   double ulps = 0;  ///< of t, where both hit
 };
 
-/// `got` against the truth of `shape` and `ray` over the numbers N. What under- or overflows as a T is no intersection.
+/// `got` against the truth of `shape` and `ray` over the numbers N: a hit of another part than the truth's is false,
+/// unless that is met at the same t but for rounding. What under- or overflows as a T is no intersection.
 template <class N, class T>
 [[nodiscard]] Judgement judge(const Truth<N>& truth, const std::optional<Intersection<T>>& got) {
   const double least = static_cast<double>(std::numeric_limits<T>::denorm_min());
@@ -63,7 +64,10 @@ template <class N, class T>
     const double second = error_in_ulps(t, ulp, truth.crossings[i + 1].t);
     if (second < ulps / 4) return {optional ? HitVerdict::right : HitVerdict::missed};
   }
-  return {HitVerdict::right, ulps};
+  bool part_met = optional || truth.crossings[i].tie || truth.crossings[i].part == got->part;
+  for (std::size_t next = i + 1; !part_met && next < truth.crossings.size(); ++next)
+    part_met = truth.crossings[next].part == got->part && error_in_ulps(t, ulp, truth.crossings[next].t) <= 2;
+  return {part_met ? HitVerdict::right : HitVerdict::false_hit, ulps};
 }
 
 /// The factor by which a shape's normal turns more than its corners when they move.

@@ -43,7 +43,7 @@ template <class N>
 struct TrueCrossing {
   N t;  ///< > 0
   int part;
-  bool tie = false;  ///< other parts are hit at the same t
+  bool tie = false;  ///< other parts are hit at the same t, perhaps but for rounding
 };
 
 /// The intersections at t > 0, ascending: the tests use the first two.
@@ -159,10 +159,17 @@ template <class N, class T>
     bool tie;
   };
   std::vector<End> in, out;
-  const auto take = [](std::vector<End>& best, const N& t, int part, int sense) {
-    const int order = best.empty() ? 1 : sense * sign(N(t - best[0].t));
-    if (order > 0) best = {{t, part, false}};
-    if (order == 0) best[0].tie = true;
+  // Which of two faces comes first is not asked for where their quotients are the same but for rounding.
+  const auto same = [](const N& s, const N& t) {
+    const N off = s - t, room = s * N(0x1p-50);
+    return sign(N(off * off - room * room)) <= 0;
+  };
+  const auto take = [&](std::vector<End>& best, const N& t, int part, int sense) {
+    const bool tie = !best.empty() && same(best[0].t, t);
+    if (best.empty() || sense * sign(N(t - best[0].t)) > 0)
+      best = {{t, part, tie}};
+    else
+      best[0].tie = best[0].tie || tie;
   };
   for (int axis = 0; axis < 3; ++axis) {
     const N o = exactly<N>(ray.origin[axis]), d = exactly<N>(ray.direction[axis]);

@@ -83,6 +83,18 @@ TEST_CASE("the judge tells a right answer from a missed and a false one") {
   CHECK(judge(truth<Rational>(unit, passes), std::optional<Intersection<double>>()).verdict == HitVerdict::right);
 }
 
+TEST_CASE("the judge tells the part that was hit from the others") {
+  const Box<double> cube{{-1, -1, -1}, {1, 1, 1}};
+  const auto verdict = [&](const Ray<double>& ray, int part) {
+    return judge(truth<Rational>(cube, ray), std::optional(Intersection<double>{4, part})).verdict;
+  };
+  const Ray<double> at_face{{-5, 0, 0}, {1, 0, 0}}, at_edge{{-5, -5, 0}, {1, 1, 0}};
+  CHECK(verdict(at_face, 0) == HitVerdict::right);
+  CHECK(verdict(at_face, 1) == HitVerdict::false_hit);
+  CHECK(verdict(at_edge, 0) == HitVerdict::right);
+  CHECK(verdict(at_edge, 2) == HitVerdict::right);
+}
+
 TEST_CASE("quadratics know on which side of each root a number lies") {
   for (const double sense : {1.0, -1.0}) {
     const Quadratic<Rational> two(sense, -3 * sense, 8 * sense);  // roots 2 and 4

@@ -95,6 +95,7 @@ mutant triangle_absolute_threshold mesh shape/triangle.h '(left && right)) retur
 mutant triangle_bound_too_small Triangle shape/triangle.h 'corner_error = 8 * detail::half_ulp' \
   'corner_error = 0.001 * detail::half_ulp'
 mutant triangle_tie_by_the_edge_alone mesh shape/triangle.h 'x != 0) return x;' 'x != 0) return 1;'
+mutant triangle_slivers_dropped mesh accel/triangles.h 'normal_of(triangle) == Vec3<T>(0)' 'true'
 mutant triangle_deep_corner_forgotten Triangle shape/triangle.h 'detail::half_ulp * (across + 2 * depth)' \
   'detail::half_ulp * across'
 

@@ -41,7 +41,7 @@ suspect() {
 verdict() {
   local log=$work/$1.log program=("$(suspect "$2")" "$root/tests/mutants/suspects.cpp") libraries=(-lgmpxx -lgmp)
   # Whatever concerns no crossing has to get past a test of its own.
-  [[ $2 == accel ]] && program+=("$4"/src/accel/{binary_tree,mesh_copies,packet_search,packet_search_eight,reinsertion,search_record,spatial_split,structures,wide_search,wide_search_eight,wide_tree,width}.cpp "$4/src/shape/mesh.cpp")
+  [[ $2 == accel || $2 == mesh ]] && program+=("$4"/src/accel/{binary_tree,mesh_copies,packet_search,packet_search_eight,reinsertion,search_record,spatial_split,structures,wide_search,wide_search_eight,wide_tree,width}.cpp "$4/src/shape/mesh.cpp")
   [[ $2 == splits ]] && program=("-I$root/tests" "$root/tests/accel/wide_tree_test.cpp" "$4"/src/accel/{binary_tree,reinsertion,search_record,spatial_split,wide_tree}.cpp) \
     libraries=("${catch2[@]}")
   [[ $2 == copies ]] && program=("-I$root/tests" "$root/tests/accel/copies_test.cpp" \

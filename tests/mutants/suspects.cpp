@@ -12,10 +12,12 @@
 #define ACCEL 2
 #define TRANSFORM 3
 #define ARITHMETIC 4
+#if SUSPECT == MESH || SUSPECT == ACCEL
+#include "accel/accelerator.cpp"
+#endif
 #if SUSPECT == MESH
 #include "check/mesh_family.cpp"
 #elif SUSPECT == ACCEL
-#include "accel/accelerator.cpp"
 #include "check/accelerator_family.cpp"
 #endif
 
