@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <new>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 
 namespace raywalk::accel {
@@ -44,10 +46,20 @@ Primitives<T> primitives_of(std::span<const T> positions, std::span<const std::u
   return primitives;
 }
 
+/// A query as it is searched. Exact arithmetic is exact unless it under- or overflows: a direction far from 1 is
+/// multiplied by 2^exponent, which divides t.
+template <class T>
+struct Search {
+  Ray<T> ray;
+  T t_max;
+  int exponent = 0;
+};
+
 /// Nothing where it can meet nothing.
 template <class T>
-std::optional<Ray<T>> ray_of(const RayQuery<T>& query, std::size_t triangles) {
-  Ray<T> ray;
+std::optional<Search<T>> search_of(const RayQuery<T>& query, std::size_t triangles) {
+  Search<T> search{{}, query.t_max};
+  Ray<T>& ray = search.ray;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const int to = static_cast<int>(axis);
     ray.origin[to] = query.origin[axis];
@@ -57,26 +69,36 @@ std::optional<Ray<T>> ray_of(const RayQuery<T>& query, std::size_t triangles) {
   }
   if (ray.direction == Vec3<T>(0) || !(query.t_max > 0)) return std::nullopt;
   if (query.leaves < triangles) ray.departure = {static_cast<int>(query.leaves), 0};
-  return ray;
+  if constexpr (std::is_same_v<T, double>) {  // products of floats are in a double's range
+    const Vec3d size = absolute(ray.direction);
+    const double largest = max_component(size);
+    if (largest < 0x1p-512 || largest > 0x1p512) [[unlikely]] {
+      search.exponent = largest < 1 ? -std::ilogb(largest) : -512;
+      for (int axis = 0; axis < 3; ++axis) ray.direction[axis] = std::scalbn(ray.direction[axis], search.exponent);
+      search.t_max = std::scalbn(std::min(query.t_max, std::numeric_limits<T>::max()), -search.exponent);
+    }
+  }
+  return search;
 }
 
 constexpr std::size_t most_at_once = 64;  ///< rays of a batch that are handed on at once
 
-/// Calls `search(rays, t_max, at)` with the rays that can meet something, a few neighbours at a time; `at`: where in
+/// Calls `search(rays, t_max, exponents, at)` with what can meet something, a few neighbours at a time; `at`: where in
 /// `queries` each is.
-template <class T, class Search>
-void in_blocks(std::span<const RayQuery<T>> queries, std::size_t triangles, const Search& search) {
+template <class T, class SearchBlock>
+void in_blocks(std::span<const RayQuery<T>> queries, std::size_t triangles, const SearchBlock& search) {
   std::array<Ray<T>, most_at_once> rays;
   std::array<T, most_at_once> t_max;
+  std::array<int, most_at_once> exponents;
   std::array<std::size_t, most_at_once> at;
   std::size_t count = 0;
   for (std::size_t i = 0; i < queries.size(); ++i) {
-    if (const auto ray = ray_of(queries[i], triangles)) {
-      rays[count] = *ray, t_max[count] = queries[i].t_max, at[count] = i;
+    if (const auto one = search_of(queries[i], triangles)) {
+      rays[count] = one->ray, t_max[count] = one->t_max, exponents[count] = one->exponent, at[count] = i;
       ++count;
     }
     if (count < most_at_once && i + 1 < queries.size()) continue;
-    search(std::span<const Ray<T>>(rays.data(), count), std::span<const T>(t_max.data(), count), at);
+    search(std::span<const Ray<T>>(rays.data(), count), std::span<const T>(t_max.data(), count), exponents, at);
     count = 0;
   }
 }
@@ -107,10 +129,11 @@ template <class T>
 struct TriangleSet<T>::Built {
   Accelerator<T> accelerator;
 
-  [[nodiscard]] TriangleHit<T> told(const Ray<T>& ray, const Hit<T>& hit) const {
+  [[nodiscard]] TriangleHit<T> told(const Ray<T>& ray, int exponent, const Hit<T>& hit) const {
     const Triangle<T> triangle = accelerator.primitives().triangles()[hit.primitive];
     const Vec2<T> weights = barycentric(triangle, ray.at(hit.t));
-    return {hit.t, static_cast<std::uint32_t>(hit.primitive), weights.x, weights.y};
+    const T t = exponent == 0 ? hit.t : std::max(std::scalbn(hit.t, exponent), std::numeric_limits<T>::denorm_min());
+    return {t, static_cast<std::uint32_t>(hit.primitive), weights.x, weights.y};
   }
 };
 
@@ -132,18 +155,18 @@ std::variant<TriangleSet<T>, BuildFailure> TriangleSet<T>::build(std::span<const
 
 template <class T>
 std::optional<TriangleHit<T>> TriangleSet<T>::closest(const RayQuery<T>& query) const noexcept {
-  const auto ray = ray_of(query, size());
-  if (!ray) return std::nullopt;
+  const auto search = search_of(query, size());
+  if (!search) return std::nullopt;
   TestCounts counts;
-  const auto hit = built_->accelerator.closest(*ray, query.t_max, counts);
-  return hit ? std::optional(built_->told(*ray, *hit)) : std::nullopt;
+  const auto hit = built_->accelerator.closest(search->ray, search->t_max, counts);
+  return hit ? std::optional(built_->told(search->ray, search->exponent, *hit)) : std::nullopt;
 }
 
 template <class T>
 bool TriangleSet<T>::any(const RayQuery<T>& query) const noexcept {
-  const auto ray = ray_of(query, size());
+  const auto search = search_of(query, size());
   TestCounts counts;
-  return ray && built_->accelerator.occluded(*ray, query.t_max, counts);
+  return search && built_->accelerator.occluded(search->ray, search->t_max, counts);
 }
 
 template <class T>
@@ -151,25 +174,27 @@ void TriangleSet<T>::closest(std::span<const RayQuery<T>> rays,
                              std::span<std::optional<TriangleHit<T>>> hits) const noexcept {
   const std::size_t size = std::min(rays.size(), hits.size());
   std::fill_n(hits.begin(), size, std::nullopt);
-  in_blocks(rays.first(size), this->size(), [&](const auto& valid, const auto& t_max, const auto& at) {
-    TestCounts counts;
-    std::array<std::optional<Hit<T>>, most_at_once> found;
-    built_->accelerator.closest(valid, t_max, std::span(found).first(valid.size()), counts);
-    for (std::size_t i = 0; i < valid.size(); ++i)
-      if (found[i]) hits[at[i]] = built_->told(valid[i], *found[i]);
-  });
+  in_blocks(rays.first(size), this->size(),
+            [&](const auto& valid, const auto& t_max, const auto& exponents, const auto& at) {
+              TestCounts counts;
+              std::array<std::optional<Hit<T>>, most_at_once> found;
+              built_->accelerator.closest(valid, t_max, std::span(found).first(valid.size()), counts);
+              for (std::size_t i = 0; i < valid.size(); ++i)
+                if (found[i]) hits[at[i]] = built_->told(valid[i], exponents[i], *found[i]);
+            });
 }
 
 template <class T>
 void TriangleSet<T>::any(std::span<const RayQuery<T>> rays, std::span<bool> met) const noexcept {
   const std::size_t size = std::min(rays.size(), met.size());
   std::fill_n(met.begin(), size, false);
-  in_blocks(rays.first(size), this->size(), [&](const auto& valid, const auto& t_max, const auto& at) {
-    TestCounts counts;
-    std::array<bool, most_at_once> found;
-    built_->accelerator.occluded(valid, t_max, std::span(found).first(valid.size()), counts);
-    for (std::size_t i = 0; i < valid.size(); ++i) met[at[i]] = found[i];
-  });
+  in_blocks(rays.first(size), this->size(),
+            [&](const auto& valid, const auto& t_max, const auto& /*exponents*/, const auto& at) {
+              TestCounts counts;
+              std::array<bool, most_at_once> found;
+              built_->accelerator.occluded(valid, t_max, std::span(found).first(valid.size()), counts);
+              for (std::size_t i = 0; i < valid.size(); ++i) met[at[i]] = found[i];
+            });
 }
 
 template <class T>

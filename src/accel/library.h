@@ -17,7 +17,8 @@
 //   division or so.
 // - Everything const may be called from any number of threads at once. There is no global state.
 // - Nothing throws. What build cannot use it says; a query with numbers that are not finite, beyond `max_coordinate`,
-//   or without a direction meets nothing.
+//   or without a direction meets nothing. A query through an edge or a corner may need a few kilobytes of memory for
+//   exact arithmetic; where there are none, the program ends.
 
 #include <array>
 #include <cstddef>

@@ -126,6 +126,41 @@ TEMPLATE_TEST_CASE("the library meets the triangles that are there, one at a tim
   CHECK(found > rounds(100));
 }
 
+TEMPLATE_TEST_CASE("the library has no gaps and right weights at any length and size", "[accel]", float, double) {
+  using T = TestType;
+  // A pyramid of four triangles, seen from above: rays through the tip and through an edge.
+  const std::vector<T> pyramid{0, 0, 1, 2, 0, 0, 0, 2, 0, -2, 0, 0, 0, -2, 0};
+  const std::vector<std::uint32_t> indices{0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 1};
+  constexpr bool wide = sizeof(T) == sizeof(double);
+  for (const int size : wide ? std::vector{-200, 0, 40} : std::vector{-60, -40, 0, 35, 45}) {
+    std::vector<T> positions = pyramid;
+    for (T& x : positions) x = std::ldexp(x, size);
+    const auto triangles = std::get<TriangleSet<T>>(TriangleSet<T>::build(positions, indices));
+    for (const int length : wide ? std::vector{-1050, -1000, -300, 0, 300, 1000, 1020} : std::vector{-100, 0, 100}) {
+      CAPTURE(size, length);
+      std::vector<RayQuery<T>> rays;
+      for (const T x : {T(0), T(0.5)})
+        rays.push_back({{std::ldexp(x, size), 0, std::ldexp(T(5), size)}, {0, 0, -std::ldexp(T(1), length)}});
+      std::vector<std::optional<TriangleHit<T>>> hits(2);
+      triangles.closest(rays, hits);
+      const T t = std::ldexp(T(4), size - length);
+      if (!std::isfinite(t) || t < std::numeric_limits<T>::min()) continue;
+      REQUIRE((hits[0] && hits[1]));
+      CHECK(hits[0]->t == t);
+      CHECK(hits[0]->u == 0);
+      CHECK(hits[0]->v == 0);
+      CHECK(hits[1]->t == Approx(std::ldexp(T(4.25), size - length)));
+      CHECK(hits[1]->u + hits[1]->v == Approx(0.25));
+      for (std::size_t i = 0; i < 2; ++i) {
+        CHECK(triangles.closest(rays[i])->t == hits[i]->t);
+        CHECK(triangles.any(rays[i]));
+        rays[i].t_max = hits[i]->t;
+        CHECK_FALSE(triangles.any(rays[i]));
+      }
+    }
+  }
+}
+
 TEMPLATE_TEST_CASE("the library says what it cannot build from, and where", "[accel]", float, double) {
   using T = TestType;
   const Buffers<T> good = torus<T>(4);
