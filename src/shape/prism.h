@@ -164,8 +164,10 @@ SideCrossings cross_sides(const Prism<T>& prism, const Vec2d& o, const Vec2d& d,
       const double above = cross(corner, edge), below = agree ? rate : difference;
       const auto [from, to] = std::minmax({dot(d, corner) * steps, dot(d, next) * steps});
       const double t = departed_part == i ? 0 : std::clamp(above / below, from, to);
+      const double above_error = 4 * half_ulp * size_of_cross(corner, edge);
+      const double below_error = 4 * half_ulp * size_of_cross(d, edge), least_below = std::abs(below) - below_error;
       const double error =
-          4 * half_ulp * (size_of_cross(corner, edge) + std::abs(t) * size_of_cross(d, edge)) / std::abs(below);
+          agree && least_below > 0 ? (above_error + std::abs(t) * below_error) / least_below : infinity<double>;
       crossings.sure = crossings.sure && std::abs(t - start) > error + 4 * half_ulp * start;
       if (t <= start) {
         crossings.inside = !crossings.inside;

@@ -119,8 +119,9 @@ inline double QuadricRoots::refined(const QuadricEquation& e, const Vec3d& o, co
                (on_wall || std::abs(c) * 8 * half_ulp > digits * c_error);
   if (discriminant > 0) {
     const double root = std::sqrt(discriminant), q = std::abs(b) + root;
-    found.error = (b_error + discriminant_error / root) / q +
-                  std::max(a_error / std::abs(a), on_wall ? 0 : c_error / std::abs(c)) + 4 * half_ulp;
+    const double error = (b_error + discriminant_error / root) / q +
+                         std::max(a_error / std::abs(a), on_wall ? 0 : c_error / std::abs(c)) + 4 * half_ulp;
+    found.error = error < 1 ? error / (1 - error) : INFINITY;  // of quotients, whose divisors err too
   }
   return found;
 }
