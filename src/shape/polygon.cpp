@@ -9,7 +9,8 @@ namespace raywalk {
 
 namespace {
 
-/// Sign of the turn from a over b to c: > 0 left. The products are exact in double-double.
+/// Sign of the turn from a over b to c: > 0 left. In double-double, which cannot tell one of less than 2^-100 of its
+/// products.
 int turn(const Vec2d& a, const Vec2d& b, const Vec2d& c) {
   const DoubleDouble ux = two_sum(b.x, -a.x), uy = two_sum(b.y, -a.y), vx = two_sum(c.x, -a.x), vy = two_sum(c.y, -a.y);
   const DoubleDouble area = ux * vy - uy * vx;
