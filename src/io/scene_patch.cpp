@@ -1,5 +1,6 @@
 #include "io/scene_patch.h"
 
+#include "io/scene_references.h"
 #include "io/scene_values.h"
 #include "io/textures.h"
 #include "text/file_ledger.h"
@@ -239,21 +240,9 @@ int nesting_of(std::string_view json) {
   return deepest;
 }
 
-void add_files(const std::vector<Object>& objects, std::set<std::string>& files) {
-  for (const Object& object : objects) {
-    if (const auto* mesh = std::get_if<MeshShape>(&object.shape); mesh != nullptr && !mesh->file.empty())
-      files.insert(mesh->file);
-    if (object.material.texture) files.insert(object.material.texture->file);
-    each_map(object.material, [&](const MapImage& map, bool /*colour*/) {
-      if (!map.file.empty()) files.insert(map.file);
-    });
-  }
-}
-
 std::set<std::string> files_of(const Scene& scene) {
   std::set<std::string> files;
-  add_files(scene.objects, files);
-  for (const Group& group : scene.groups) add_files(group.objects, files);
+  detail::each_file_name(scene, [&](const std::string& file) { files.insert(file); });
   return files;
 }
 

@@ -18,7 +18,7 @@ namespace raywalk {
 /// file that `from` does not name. `text` and `path` are those of `from`, which must have its files loaded.
 [[nodiscard]] Result<SceneDocument> patched_scene(const SceneDocument& from, std::string_view patch);
 
-/// Whether it needs files of its own: meshes or textures.
+/// Whether it needs files of its own: meshes, textures, maps or a picture of the sky.
 [[nodiscard]] bool names_files(const Scene& scene);
 
 /// Tells scenes apart: equal for equal ones.

@@ -1,5 +1,7 @@
 // The names of the files that a scene uses, relative to another folder.
 
+#include "io/scene_references.h"
+
 #include "io/scene_file.h"
 #include "text/toml_text.h"
 
@@ -7,8 +9,6 @@
 #include <optional>
 #include <string>
 #include <utility>
-#include <variant>
-#include <vector>
 
 namespace raywalk {
 
@@ -30,22 +30,8 @@ class PathRewriter {
   PathRewriter(const std::string& from, const std::string& to) : from_(real_folder(from)), to_(real_folder(to)) {}
 
   [[nodiscard]] bool is_needed() const { return from_ != to_; }
-  void retell(std::optional<Sky>& sky) {
-    if (!sky) return;
-    if (auto* image = std::get_if<ImageSky>(&sky->kind)) retell(image->file);
-  }
-  void retell(std::vector<Object>& objects) {
-    for (Object& object : objects) {
-      if (auto* mesh = std::get_if<MeshShape>(&object.shape)) retell(mesh->file);
-      if (object.material.texture) retell(object.material.texture->file);
-      each_map(object.material, [this](MapImage& map, bool /*colour*/) { retell(map.file); });
-    }
-  }
-  [[nodiscard]] const std::optional<Error>& error() const { return error_; }
-
- private:
   void retell(std::string& name) {
-    if (name.empty() || fs::path(name).is_absolute()) return;
+    if (fs::path(name).is_absolute()) return;
     const fs::path file = from_ / name;
     // The file itself may be a link, which keeps its name.
     std::string retold = (real_folder(file) / file.filename()).lexically_relative(to_).generic_string();
@@ -55,7 +41,9 @@ class PathRewriter {
                      "write beside the scene that was read, or copy what it names to here first"};
     name = std::move(retold);
   }
+  [[nodiscard]] const std::optional<Error>& error() const { return error_; }
 
+ private:
   fs::path from_, to_;
   std::optional<Error> error_;
 };
@@ -65,9 +53,7 @@ class PathRewriter {
 Result<Scene> with_names_from(Scene scene, const std::string& from, const std::string& to) {
   PathRewriter retelling(from, to);
   if (from.empty() || !retelling.is_needed()) return scene;
-  retelling.retell(scene.sky);
-  retelling.retell(scene.objects);
-  for (Group& group : scene.groups) retelling.retell(group.objects);
+  detail::each_file_name(scene, [&](std::string& file) { retelling.retell(file); });
   if (retelling.error()) return tl::unexpected(*retelling.error());
   return scene;
 }

@@ -7,6 +7,7 @@
 #include "bad_scene.h"
 #include "image/image_file.h"
 #include "io/scene_file.h"
+#include "io/scene_patch.h"
 #include "support/catch.h"
 #include "support/temporary_folder.h"
 
@@ -92,6 +93,29 @@ TEST_CASE("the picture of a sky is found from the scene's folder, in every forma
   const auto moved = with_names_from(document->scene, folder.file("scene.toml"), folder.file("skies/new.toml"));
   REQUIRE(moved);
   CHECK(std::get<ImageSky>(moved->sky->kind).file == "a.hdr");
+}
+
+TEST_CASE("a link brings the picture of its scene's sky along, and can name no other") {
+  const TemporaryFolder folder;
+  for (const char* name : {"sky.pfm", "other.pfm"}) REQUIRE(write_image(folder.file(name), grey(4, 2)));
+  put(folder.file("scene.toml"), with_sky("type = \"image\"\nfile = \"sky.pfm\"\n"));
+  put(folder.file("bare.toml"), raywalk::test::camera);
+  const auto under_sky = read_scene(folder.file("scene.toml")), bare = read_scene(folder.file("bare.toml"));
+  REQUIRE((under_sky && bare));
+  CHECK(names_files(under_sky->scene));
+  CHECK_FALSE(names_files(bare->scene));
+  Scene moved = under_sky->scene;
+  moved.camera.eye.z += 1;
+  const auto seen = patched_scene(*under_sky, scene_patch(under_sky->scene, moved));
+  REQUIRE(seen);
+  CHECK(std::get<ImageSky>(seen->scene.sky->kind).pixels != nullptr);
+  Scene elsewhere = under_sky->scene;
+  std::get<ImageSky>(elsewhere.sky->kind).file = "other.pfm";
+  for (const SceneDocument* from : {&*under_sky, &*bare}) {
+    const auto refused = patched_scene(*from, scene_patch(from->scene, elsewhere));
+    REQUIRE_FALSE(refused);
+    CHECK_THAT(refused.error().message, contains("needs the file \"other.pfm\", which a link cannot hold"));
+  }
 }
 
 TEST_CASE("a picture that can be no sky is refused with its file and a hint") {
