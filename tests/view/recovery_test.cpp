@@ -1,6 +1,7 @@
 // What is found at the start of work that was lost.
 #include "fixtures.h"
 #include "text/file.h"
+#include "text/text_file.h"
 #include "view/document/question.h"
 #include "view/text/text.h"
 
@@ -38,6 +39,24 @@ TEST_CASE("what is not saved is autosaved within seconds, and recovered at the n
   update(next, action::Save{});
   CHECK(read_document(folder.file("scene.toml")).scene == scene);
   CHECK_FALSE(std::filesystem::exists(autosave));
+}
+
+TEST_CASE("work on a file that begins with a byte order mark is recovered") {
+  const TemporaryFolder folder;
+  static_cast<void>(saved_state(folder));
+  const std::string path = folder.file("scene.toml");
+  REQUIRE(write_file_atomically(path, std::string(utf8_mark) + read_file(path, 1 << 20).value()));
+  State state = make_state(read_document(path), path, folder.file("state"));
+  make_dirty(state);
+  const Scene scene = state.scene();
+  update(state, action::Tick{autosave_every + 1});
+  crash(state);
+  State next = make_state(read_document(path), path, folder.file("state"));
+  restore_session(next);
+  REQUIRE(next.document.question);
+  update(next, action::AnswerQuestion{Answer::recover});
+  CHECK(next.scene() == scene);
+  CHECK(next.document.path == path);
 }
 
 TEST_CASE("Later keeps an autosave whatever is done meanwhile, and the next start asks about it again") {

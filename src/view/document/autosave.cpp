@@ -1,6 +1,7 @@
 // Persistent data: the autosave and the list of recent files.
 
 #include "text/file.h"
+#include "text/text_file.h"
 #include "view/action.h"
 #include "view/document/document.h"
 #include "view/text/text.h"
@@ -107,11 +108,12 @@ Result<void> write_in_folder(const State& state, const std::string& path, const 
 
 Result<void> write_autosave(const State& state) {
   const std::string path = autosave_path(state);
-  const Result<std::string> written =
+  Result<std::string> written =
       with_names_from(state.scene(), state.document.contents.path, path).and_then([&](const Scene& scene) {
         return format_scene(scene, state.document.contents.text, state.document.contents.ink_of_file());
       });
   if (!written) return tl::unexpected(written.error());
+  drop_utf8_marks(*written);  // below the head lines no scene may begin with one
   return write_in_folder(state, path,
                          std::string(autosave_head) + state.document.path + "\n" + std::string(time_head) + now_text() +
                              "\n" + written.value());
