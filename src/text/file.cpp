@@ -116,6 +116,16 @@ int write_all(int descriptor, std::string_view bytes) {
   return 0;
 }
 
+/// Gives a new file the owner and the group of the old one, where that is allowed, and returns which of its permissions
+/// it may have then: none that were meant for another owner or group.
+mode_t take_owner(int descriptor, uid_t user, gid_t group, mode_t mode) {
+  if (::fchown(descriptor, user, group) == 0) return mode;  // the superuser, or the owner within his groups
+  mode &= ~static_cast<mode_t>(S_ISUID);
+  if (::fchown(descriptor, static_cast<uid_t>(-1), group) == 0) return mode;
+  const mode_t of_all = (mode & S_IRWXO) << 3;  // as bits of a group
+  return mode & ~(S_ISGID | (S_IRWXG & ~of_all));
+}
+
 }  // namespace
 
 Result<std::string> read_file(const std::string& path, std::size_t max_bytes) {
@@ -232,9 +242,9 @@ Result<void> FileWriter::commit() {
   }
   const int descriptor = new_file_.descriptor();
   if (exists_) {
-    // The owner first: changing it clears the set-user-ID bits. Only the superuser may, so failure is no error.
-    if (::fchown(descriptor, old_user_, old_group_) != 0) errno = 0;
-    if (::fchmod(descriptor, old_mode_) != 0) return give_up(errno);
+    // The owner first: changing it clears the set-user-ID bits.
+    const mode_t mode = take_owner(descriptor, old_user_, old_group_, old_mode_);
+    if (::fchmod(descriptor, mode) != 0) return give_up(errno);
   }
   // Without this, a system crash soon after could leave an empty file of this name.
   if (::fsync(descriptor) != 0 && errno != EINVAL) return give_up(errno);

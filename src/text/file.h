@@ -55,7 +55,7 @@ class FileWriter {
 
 /// Writes `bytes` as the file `path`, all or nothing: into a new file beside it, which then takes its name. Whatever
 /// fails or kills the program, the old file stays whole. A symbolic link keeps pointing at its file, which is what is
-/// replaced; permissions (and the owner, where allowed) are kept. Special files (/dev/stdout, a pipe) are written
+/// replaced; permissions (owner and group too, where allowed) are kept. Special files (/dev/stdout, a pipe) are written
 /// directly. A file that is write-protected is not replaced.
 [[nodiscard]] Result<void> write_file_atomically(const std::string& path, std::string_view bytes);
 

@@ -4,10 +4,12 @@
 #include "text/text_file.h"
 
 #include <fcntl.h>
+#include <grp.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -83,6 +85,38 @@ TEST_CASE("a new file gets the permissions that the umask leaves, an old one kee
   REQUIRE(write_file_atomically(folder.file("new"), "y"));
   CHECK(permissions(folder.file("new")) == 0600);
   CHECK(contents(folder.file("new")) == "y");
+}
+
+TEST_CASE("who may write a file of somebody else keeps its group, or gives its rights to no other") {
+  if (::geteuid() != 0) RAYWALK_SKIP("only the superuser can make files of others");
+  const TemporaryFolder folder;
+  REQUIRE(::chmod(folder.path().c_str(), 0777) == 0);
+  constexpr uid_t writer = 54321;
+  constexpr gid_t shared = 54322, own = 54323;
+  const auto overwritten = [&](mode_t mode, bool belongs) {
+    const std::string path = folder.file("shared");
+    put(path, "old");
+    REQUIRE(::chown(path.c_str(), 0, shared) == 0);
+    REQUIRE(::chmod(path.c_str(), mode) == 0);
+    const pid_t child = ::fork();
+    if (child == 0) {
+      const bool is_writer = ::setgroups(belongs ? 1 : 0, &shared) == 0 && ::setgid(own) == 0 && ::setuid(writer) == 0;
+      ::_exit(is_writer && write_file_atomically(path, "new") ? 0 : 1);
+    }
+    int status = 1;
+    ::waitpid(child, &status, 0);
+    CHECK(status == 0);
+    CHECK(contents(path) == "new");
+    struct stat now{};
+    ::stat(path.c_str(), &now);
+    CHECK(now.st_uid == writer);
+    CHECK(now.st_gid == (belongs ? shared : own));
+    ::unlink(path.c_str());
+    return now.st_mode & 07777;
+  };
+  CHECK(overwritten(0664, true) == 0664);
+  CHECK(overwritten(06676, true) == 02676);
+  CHECK(overwritten(06676, false) == 0666);
 }
 
 TEST_CASE("links keep pointing, and what they point to is replaced") {
