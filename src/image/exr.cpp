@@ -138,6 +138,26 @@ bool can_hold(std::size_t bytes, const Imf::Header& header) {
          std::int64_t{tile.xSize} * tile.ySize * pixel <= max_tile_bytes;
 }
 
+/// The channel that a picture without colours has its light in; empty if there is none.
+std::string grey_channel(const Imf::ChannelList& channels) {
+  const auto has = [&](const char* name) { return channels.findChannel(name) != nullptr; };
+  const bool has_colour = has("X") || has("RY") || has("BY");  // CIE XYZ, or differences from the luminance
+  if (has("Y") && !has_colour) return "Y";
+  const auto first = channels.begin();
+  const bool is_only = first != channels.end() && ++channels.begin() == channels.end();
+  return is_only ? first.name() : "";
+}
+
+std::string names_of(const Imf::ChannelList& channels) {
+  constexpr std::size_t most = 100;
+  std::string names;
+  for (auto channel = channels.begin(); channel != channels.end(); ++channel) {
+    if (names.size() > most) return names + ", ...";
+    names.append(names.empty() ? "" : ", ").append(channel.name());
+  }
+  return names;
+}
+
 }  // namespace
 
 bool has_exr() { return true; }
@@ -171,12 +191,23 @@ Result<Image> decode_exr(std::string_view bytes, const std::string& file_name) {
                                   "is this the right file?"});
     StringIn stream(bytes);
     Imf::InputFile file(stream, 0);
+    const Imf::ChannelList& channels = file.header().channels();
+    const bool is_coloured = channels.findChannel("R") || channels.findChannel("G") || channels.findChannel("B");
+    const std::string grey = grey_channel(channels);
+    if (!is_coloured && grey.empty())
+      return tl::unexpected(Error{file_name, 0, 0,
+                                  "the picture has the channels " + names_of(channels) + " (expected R, G and B, or Y)",
+                                  "export the layer that is meant by itself, in red, green and blue"});
     const auto window = file.header().dataWindow();
     const int width = window.max.x - window.min.x + 1, height = window.max.y - window.min.y + 1;
     Image image{width, height, {}};
     image.pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-    file.setFrameBuffer(channels_of(image, window));
+    Imf::FrameBuffer frame = channels_of(image, window);
+    if (!is_coloured) frame.insert(grey, frame["R"]);
+    file.setFrameBuffer(frame);
     file.readPixels(window.min.y, window.max.y);
+    if (!is_coloured)
+      for (Rgb<float>& pixel : image.pixels) pixel = Rgb<float>(pixel.x);
     return image;
   } catch (const std::exception& error) {
     return tl::unexpected(Error{file_name, 0, 0,

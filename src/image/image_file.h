@@ -44,7 +44,7 @@ enum class ImageFormat { png, pfm, exr };
 [[nodiscard]] Result<Image> decode_pfm(std::string_view bytes, const std::string& file_name);
 [[nodiscard]] Result<Image> read_pfm(const std::string& path);
 
-/// Reads the red, green and blue of an OpenEXR file; a missing channel is black.
+/// Reads the red, green and blue of an OpenEXR file, where a missing channel is black, or its only channel as grey.
 [[nodiscard]] Result<Image> decode_exr(std::string_view bytes, const std::string& file_name);
 
 /// Reads a Radiance picture (.hdr), as radiance up to a factor: what its head says of exposure is left to the reader.

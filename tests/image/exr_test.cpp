@@ -4,8 +4,10 @@
 #include "text/file.h"
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <string>
+#include <vector>
 
 using namespace raywalk;
 using namespace raywalk::test;
@@ -23,7 +25,50 @@ Image sample() {
   return image;
 }
 
+/// One pixel with these channels, in the order of their names: 1, 2, 3 and so on.
+std::string exr_of(const std::vector<std::string>& names) {
+  const auto number = [](auto value) { return std::string(reinterpret_cast<const char*>(&value), sizeof value); };
+  const std::string zero(1, '\0'), window(16, '\0');
+  std::string channels, pixel;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    channels += names[i] + zero + number(std::int32_t{2}) + std::string(4, '\0') + number(std::int64_t{0x100000001});
+    pixel += number(static_cast<float>(i + 1));
+  }
+  const auto attribute = [&](const std::string& name, const std::string& type, const std::string& value) {
+    return name + zero + type + zero + number(static_cast<std::int32_t>(value.size())) + value;
+  };
+  const std::string head =
+      "\x76\x2f\x31\x01" + number(std::int32_t{2}) + attribute("channels", "chlist", channels + zero) +
+      attribute("compression", "compression", zero) + attribute("dataWindow", "box2i", window) +
+      attribute("displayWindow", "box2i", window) + attribute("lineOrder", "lineOrder", zero) +
+      attribute("pixelAspectRatio", "float", number(1.0F)) + attribute("screenWindowCenter", "v2f", window.substr(8)) +
+      attribute("screenWindowWidth", "float", number(1.0F)) + zero;
+  return head + number(static_cast<std::int64_t>(head.size()) + 8) + number(std::int32_t{0}) +
+         number(static_cast<std::int32_t>(pixel.size())) + pixel;
+}
+
 }  // namespace
+
+TEST_CASE("an OpenEXR picture without red, green and blue is grey, or refused with the names of its channels") {
+  if (!has_exr()) RAYWALK_SKIP("this build has no OpenEXR");
+  const auto pixel = [](const std::vector<std::string>& names) {
+    const auto image = decode_exr(exr_of(names), "a.exr");
+    INFO((image ? "" : image.error().text()));
+    REQUIRE(image);
+    return image->at(0, 0);
+  };
+  CHECK(pixel({"B", "G", "R"}) == Rgb<float>(3, 2, 1));
+  CHECK(pixel({"R"}) == Rgb<float>(1, 0, 0));
+  CHECK(pixel({"A", "Y"}) == Rgb<float>(2));
+  CHECK(pixel({"height"}) == Rgb<float>(1));
+  for (const std::vector<std::string>& names :
+       {std::vector<std::string>{"BY", "RY", "Y"}, {"X", "Y", "Z"}, {"gloss.B", "gloss.G", "gloss.R"}}) {
+    const auto refused = decode_exr(exr_of(names), "a.exr");
+    REQUIRE_FALSE(refused);
+    CHECK_THAT(refused.error().message,
+               contains("the channels " + names[0] + ", " + names[1] + ", " + names[2] + " (expected"));
+  }
+}
 
 TEST_CASE("an OpenEXR picture reads back as it was, to the last bit and with the top row on top") {
   if (!has_exr()) RAYWALK_SKIP("this build has no OpenEXR");
