@@ -268,8 +268,10 @@ struct MtlMaterial {
     m.transmission = (1 - opaque) * filter;
     m.diffuse *= opaque;
     const int kind = illumination;
-    if (kind == 3 || (kind >= 5 && kind <= 8)) m.reflection = m.specular;  // illum 3 and more trace a reflected ray
-    m.dielectric = kind == 5 || kind == 7;                                 // Fresnel
+    if (kind >= 3 && kind <= 8) m.reflection = m.specular;  // these trace a reflected ray
+    m.dielectric = kind == 5 || kind == 7;                  // Fresnel
+    // Only illum 6 and 7 bend rays: what is dissolved otherwise is seen through straight. Of 5, Fresnel needs Ni.
+    if (opaque < 1 && (kind < 5 || kind > 7)) m.ior = 1;
     return m;
   }
 };

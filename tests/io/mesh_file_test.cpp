@@ -2,7 +2,10 @@
 
 #include "io/mesh_file.h"
 
+#include <fmt/format.h>
+
 #include <bit>
+#include <cmath>
 #include <filesystem>
 
 #include "support/catch.h"
@@ -110,6 +113,19 @@ TEST_CASE("an OBJ file with its materials") {
   CHECK(red.shininess == 60);
   CHECK(red.ior == 1.3);
   CHECK(red.dielectric);
+}
+
+TEST_CASE("only illum 6 and 7 of an MTL file bend rays, and 4 mirrors") {
+  const auto material = [](int kind) {
+    const auto read = parse_mtl(fmt::format("newmtl a\nKs 0.5\nd 0.25\nillum {}\n", kind), "a.mtl");
+    REQUIRE(read);
+    CHECK(read->front().material.transmission == Rgbd(0.75));
+    return read->front().material;
+  };
+  for (const int kind : {0, 1, 2, 3, 4, 8, 9}) CHECK(material(kind).ior == 1);
+  for (const int kind : {6, 7}) CHECK(material(kind).ior == Material{}.ior);
+  CHECK(material(2).reflection == Rgbd(0.0));
+  CHECK(material(4).reflection == Rgbd(0.5));
 }
 
 TEST_CASE("an ambient colour of 1 in an MTL file is what exporters write of every surface") {
