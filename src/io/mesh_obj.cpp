@@ -37,6 +37,26 @@ struct HashCorner {
 };
 
 class ObjReader {
+/// The next word of a line; empty at its end, and where a comment begins.
+std::string_view next_word(detail::TextCursor& cursor) {
+  const std::string_view word = cursor.word();
+  return word.starts_with('#') ? std::string_view() : word;
+}
+
+/// The name on the rest of a line, which may hold spaces, and a # as in "Material #25"; one that stands alone begins a
+/// comment.
+std::string name_of(detail::TextCursor& cursor) {
+  std::string_view name = cursor.rest();
+  for (std::size_t at = name.find('#'); at != std::string_view::npos; at = name.find('#', at + 1)) {
+    const auto is_blank = [&](std::size_t i) { return i >= name.size() || name[i] == ' ' || name[i] == '\t'; };
+    if (is_blank(at - 1) && is_blank(at + 1)) {
+      name = name.substr(0, at);
+      break;
+    }
+  }
+  return std::string(name.substr(0, name.find_last_not_of(" \t") + 1));
+}
+
   using Library = std::map<std::string, std::int32_t>;  ///< names of its materials, to their indices
 
  public:
@@ -65,7 +85,7 @@ class ObjReader {
   }
 
   bool read_line() {
-    const std::string_view keyword = cursor_.word();
+    const std::string_view keyword = next_word(cursor_);
     if (keyword == "v") {
       std::array<double, 3> xyz{};
       if (!numbers(xyz, 3, "v X Y Z")) return false;
@@ -81,14 +101,14 @@ class ObjReader {
     } else if (keyword == "f" || keyword == "fo") {
       return read_face();
     } else if (keyword == "usemtl") {
-      const std::string name(cursor_.rest());
+      const std::string name = name_of(cursor_);
       material_ = material_named(name);
       if (material_ < 0) {
         if (unknown_.empty()) first_unknown_ = name, unknown_line_ = cursor_.line();
         unknown_.insert(name);
       }
     } else if (keyword == "mtllib") {
-      return read_libraries(std::string(cursor_.rest()));
+      return read_libraries(name_of(cursor_));
     }
     return true;  // names of parts, smoothing groups, curves and comments do not affect triangles
   }
@@ -96,7 +116,7 @@ class ObjReader {
   /// The numbers of a line: at least `least`; further ones are ignored.
   bool numbers(std::array<double, 3>& values, std::size_t least, std::string_view form) {
     for (std::size_t i = 0; i < values.size(); ++i) {
-      const std::string_view word = cursor_.word();
+      const std::string_view word = next_word(cursor_);
       if (word.empty() && i >= least) return true;
       const auto number = detail::number_in(word);
       if (!number)
@@ -180,8 +200,10 @@ class ObjReader {
                        path_, unknown_line_, first_unknown_.substr(0, 60), more);
   }
 
-  /// The rest of a line: one name, which may hold spaces where there is such a file, or several.
-  bool read_libraries(const std::string& names) {
+  /// The rest of a line: one name, which may hold spaces where there is such a file, or several. Those that Windows
+  /// wrote have folders with backslashes.
+  bool read_libraries(std::string names) {
+    std::replace(names.begin(), names.end(), '\\', '/');
     std::error_code failed;
     const bool is_one =
         names.find_first_of(" \t") == std::string::npos || names.size() > longest_name ||
@@ -292,7 +314,7 @@ Result<std::vector<NamedMaterial>> parse_mtl(std::string bytes, const std::strin
     if (!named.empty()) named.back().material = current.finished();
   };
   do {
-    const std::string keyword(cursor.word());
+    const std::string keyword(next_word(cursor));
     if (keyword == "newmtl") {
       finish();
       constexpr std::size_t max_materials = 100'000;
@@ -300,7 +322,7 @@ Result<std::vector<NamedMaterial>> parse_mtl(std::string bytes, const std::strin
         return tl::unexpected(Error{path, cursor.line(), 0,
                                     fmt::format("there are too many materials (expected at most {})", max_materials),
                                     "is this the right file?"});
-      named.push_back({std::string(cursor.rest()), {}});
+      named.push_back({name_of(cursor), {}});
       current = {};
       current.material.diffuse = Rgbd(0.0);
       continue;

@@ -19,16 +19,20 @@ class TextCursor {
  public:
   explicit TextCursor(const std::string& text, std::size_t at = 0, int line = 1) : text_(text), at_(at), line_(line) {}
 
-  /// The next word of this line; empty at its end. A backslash before the end of a line joins it with the next one.
+  /// The next word of this line; empty at its end. A backslash before the end of a line joins it with the next one, and
+  /// ends a word.
   std::string_view word() {
     while (at_ < text_.size()) {
       const char c = text_[at_];
-      if (c == '\\' && joins_lines()) continue;
+      if (joins_lines()) {
+        at_ = text_.find('\n', at_) + 1, ++line_;
+        continue;
+      }
       if (c != ' ' && c != '\t' && c != '\r') break;
       ++at_;
     }
     const std::size_t begin = at_;
-    while (at_ < text_.size() && !is_blank(text_[at_])) ++at_;
+    while (at_ < text_.size() && !is_blank(text_[at_]) && !joins_lines()) ++at_;
     return std::string_view(text_).substr(begin, at_ - begin);
   }
   /// The rest of this line, trimmed.
@@ -59,12 +63,9 @@ class TextCursor {
 
  private:
   static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
-  bool joins_lines() {
-    std::size_t after = at_ + 1;
-    if (after < text_.size() && text_[after] == '\r') ++after;
-    if (after >= text_.size() || text_[after] != '\n') return false;
-    at_ = after + 1, ++line_;
-    return true;
+  /// Whether this line goes on in the next one here.
+  [[nodiscard]] bool joins_lines() const {
+    return text_[at_] == '\\' && (text_.compare(at_ + 1, 1, "\n") == 0 || text_.compare(at_ + 1, 2, "\r\n") == 0);
   }
 
   const std::string& text_;
@@ -76,7 +77,7 @@ class TextCursor {
 [[nodiscard]] inline std::optional<double> number_in(std::string_view word) {
   const bool hexadecimal = word.find_first_of("xX") != std::string_view::npos;  // which strtod reads
   if (word.empty() || word.size() > 400 || hexadecimal) return std::nullopt;
-  // The word is part of a null-terminated text, and is followed there by a blank or the end.
+  // The word is part of a null-terminated text, and is followed there by a blank, a backslash or the end.
   char* end = nullptr;
   const double value = std::strtod(word.data(), &end);
   if (end != word.data() + word.size() || !std::isfinite(value)) return std::nullopt;

@@ -115,6 +115,22 @@ TEST_CASE("an OBJ file with its materials") {
   CHECK(red.dielectric);
 }
 
+TEST_CASE("comments, joined lines and Windows folders in OBJ and MTL files") {
+  const TemporaryFolder folder;
+  put(folder.file("a.mtl"), "newmtl red # the red one\nKd 1 0 0 # red\nNs 30 # shiny\nnewmtl Material #25\nKd 0 1 0\n");
+  put(folder.file("a.obj"),
+      "mtllib .\\a.mtl\nv 0 0 0 # here\nv 1 0 0\nv 0 1 0\nvt 0 0 # origin\nusemtl red # the red one\nf 1/1 2/1\\\n"
+      "3/1 # all\nusemtl Material #25\nf 1 2\\\r\n3\n");
+  const auto read = read_mesh(folder.file("a.obj"));
+  INFO((read ? "" : read.error().text()));
+  REQUIRE(read);
+  CHECK(read->warnings.empty());
+  CHECK(read->mesh->triangles.size() == 2);
+  CHECK(read->mesh->materials == std::vector<std::int32_t>{0, 1});
+  CHECK(read->materials->at(0).diffuse == Rgbd(1, 0, 0));
+  CHECK(read->materials->at(0).shininess == 30);
+}
+
 TEST_CASE("only illum 6 and 7 of an MTL file bend rays, and 4 mirrors") {
   const auto material = [](int kind) {
     const auto read = parse_mtl(fmt::format("newmtl a\nKs 0.5\nd 0.25\nillum {}\n", kind), "a.mtl");
