@@ -2,6 +2,7 @@
 
 #include "io/mesh_file.h"
 #include "io/mesh_text.h"
+#include "io/polygon_cut.h"
 #include "scene/schema_kinds.h"
 #include "text/file.h"
 #include "text/text_file.h"
@@ -36,7 +37,6 @@ struct HashCorner {
   }
 };
 
-class ObjReader {
 /// The next word of a line; empty at its end, and where a comment begins.
 std::string_view next_word(detail::TextCursor& cursor) {
   const std::string_view word = cursor.word();
@@ -57,6 +57,7 @@ std::string name_of(detail::TextCursor& cursor) {
   return std::string(name.substr(0, name.find_last_not_of(" \t") + 1));
 }
 
+class ObjReader {
   using Library = std::map<std::string, std::int32_t>;  ///< names of its materials, to their indices
 
  public:
@@ -161,24 +162,18 @@ std::string name_of(detail::TextCursor& cursor) {
     return read_index(after.substr(second + 1), normals_.size(), "normal", "vn X Y Z", corner.normal);
   }
 
-  /// A face of more than three corners becomes a fan of triangles.
   bool read_face() {
-    std::int32_t first = 0, previous = 0;
-    int count = 0;
-    for (std::string_view word = cursor_.word(); !word.empty(); word = cursor_.word(), ++count) {
-      if (word[0] == '#') break;
+    face_.clear();
+    for (std::string_view word = next_word(cursor_); !word.empty(); word = next_word(cursor_)) {
       ObjCorner corner;
       if (!read_corner(word, corner)) return false;
-      const std::int32_t vertex = vertex_of(corner);
-      if (count >= 2) {
-        mesh_.triangles.push_back({first, previous, vertex});
-        mesh_.materials.push_back(material_);
-        has_materials_ = has_materials_ || material_ >= 0;
-      }
-      if (count == 0) first = vertex;
-      previous = vertex;
+      face_.push_back(vertex_of(corner));
     }
-    if (count < 3) return fail(fmt::format("a face of {} corners (expected 3 or more)", count), "such as \"f 1 2 3\"");
+    if (face_.size() < 3)
+      return fail(fmt::format("a face of {} corners (expected 3 or more)", face_.size()), "such as \"f 1 2 3\"");
+    if (!detail::add_face(mesh_, face_)) return fail(detail::too_many_corners(face_.size()), detail::hint_to_cut);
+    mesh_.materials.resize(mesh_.triangles.size(), material_);
+    has_materials_ = has_materials_ || material_ >= 0;
     return true;
   }
 
@@ -274,6 +269,7 @@ std::string name_of(detail::TextCursor& cursor) {
   std::string first_unknown_;
   int unknown_line_ = 0;
   bool has_normals_ = false, has_uv_ = false, has_materials_ = false;
+  std::vector<std::int32_t> face_;  ///< vertices of the one that is read
   Mesh mesh_;
   std::optional<Error> error_;
 };
@@ -341,7 +337,7 @@ Result<std::vector<NamedMaterial>> parse_mtl(std::string bytes, const std::strin
                                         : schema::max_magnitude;
     std::array<double, 3> values{};
     int count = 0;
-    for (std::string_view word = cursor.word(); !word.empty() && count < 3; word = cursor.word()) {
+    for (std::string_view word = next_word(cursor); !word.empty() && count < 3; word = next_word(cursor)) {
       if (word == "-halo") continue;
       const auto number = detail::number_in(word);
       if (!number || *number < 0 || *number > most)

@@ -2,6 +2,7 @@
 
 #include "io/mesh_file.h"
 #include "io/mesh_text.h"
+#include "io/polygon_cut.h"
 #include "text/text_file.h"
 
 #include <fmt/format.h>
@@ -275,22 +276,23 @@ class PlyReader {
     return !error_;
   }
 
-  /// A face of more than three corners becomes a fan of triangles.
   bool read_face(const Property& property) {
     const auto length = length_of(property);
     if (!length) return false;
     if (*length < 3) return fail(fmt::format("a face of {} corners (expected 3 or more)", *length));
-    std::int32_t first = 0, previous = 0;
+    face_.clear();
     for (std::size_t i = 0; i < *length; ++i) {
       const double index = value(property.type);
       if (error_) return false;
       if (!(index >= 0 && index <= std::numeric_limits<std::int32_t>::max() && index == std::floor(index)))
         return fail(fmt::format("a face names vertex {:g} (expected a whole number, 0 or more)", index));
-      const auto corner = static_cast<std::int32_t>(index);
-      if (i >= 2) mesh_.triangles.push_back({first, previous, corner});
-      if (i == 0) first = corner;
-      previous = corner;
+      face_.push_back(static_cast<std::int32_t>(index));
     }
+    const auto last = static_cast<std::size_t>(*std::max_element(face_.begin(), face_.end()));
+    if (last < mesh_.positions.size())
+      return detail::add_face(mesh_, face_) || fail(detail::too_many_corners(face_.size()), detail::hint_to_cut);
+    // Of faces that stand above the vertices, or of no vertices at all, nothing is known yet.
+    detail::add_fan(mesh_, face_);
     return true;
   }
 
@@ -300,6 +302,7 @@ class PlyReader {
   std::size_t at_ = 0;  ///< of binary data
   Format format_ = Format::text, header_format_ = Format::text;
   std::vector<PlyElement> elements_;
+  std::vector<std::int32_t> face_;  ///< vertices of the one that is read
   Mesh mesh_;
   int normals_given_ = 0, uv_given_ = 0;
   std::optional<Error> error_;

@@ -115,6 +115,71 @@ TEST_CASE("an OBJ file with its materials") {
   CHECK(red.dielectric);
 }
 
+TEST_CASE("a concave face is covered once by its triangles, and a notch stays open") {
+  // The corners of each in the plan; the last joins a hole to its outline, there and back.
+  const std::vector<std::vector<Vec2d>> faces{
+      {{2, 1}, {0, 3}, {0, 0}, {4, 0}, {4, 3}},                  // a roof upside down
+      {{0, 3}, {1, 0}, {2, 3}, {3, 0}, {4, 3}, {4, 4}, {0, 4}},  // teeth
+      {{0, 0}, {9, 0}, {9, 9}, {1, 9}, {1, 3}, {5, 3}, {5, 6}, {3, 6}, {3, 7}, {6, 7}, {6, 1}, {0, 1}},  // a spiral
+      {{0, 0}, {2, 0}, {4, 0}, {4, 4}, {2, 4}, {2, 2}, {1, 2}, {1, 4}, {0, 4}},  // level corners
+      {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {1, 1}, {1, 3}, {3, 3}, {3, 1}, {1, 1}}};
+  for (const std::vector<Vec2d>& plan : faces)
+    for (std::size_t first = 0; first < plan.size(); ++first) {
+      CAPTURE(plan.size(), first);
+      std::string obj = "f", vertices, ply = std::to_string(plan.size());
+      double area = 0;
+      for (std::size_t i = 0; i < plan.size(); ++i) {
+        const Vec2d at = plan[(first + i) % plan.size()], next = plan[(first + i + 1) % plan.size()];
+        area += 0.5 * cross(at, next);
+        vertices += fmt::format("{} {} {}\n", at.x, at.y, at.x + at.y);  // aslant
+        obj = "v " + fmt::format("{} {} {}\n", at.x, at.y, at.x + at.y) + obj + fmt::format(" {}", i + 1);
+        ply += fmt::format(" {}", i);
+      }
+      // In OBJ the other way round, as its vertices were put before each other.
+      const auto of_obj = parse_obj(obj + "\n", "a.obj");
+      const auto of_ply = parse_ply(fmt::format("ply\nformat ascii 1.0\nelement vertex {}\nproperty float x\nproperty "
+                                                "float y\nproperty float z\nelement face 1\nproperty list uchar int "
+                                                "vertex_indices\nend_header\n{}{}\n",
+                                                plan.size(), vertices, ply),
+                                    "a.ply");
+      for (const auto* read : {&of_obj, &of_ply}) {
+        REQUIRE(*read);
+        const Mesh& mesh = *(*read)->mesh;
+        CHECK(mesh.triangles.size() == plan.size() - 2);
+        const double sense = read == &of_obj ? -1 : 1;
+        double covered = 0;
+        bool is_upright = true;
+        for (const Mesh::Corners& corners : mesh.triangles) {
+          const auto at = [&](int i) {
+            return mesh.positions[static_cast<std::size_t>(corners[static_cast<std::size_t>(i)])];
+          };
+          const double twice = sense * cross(at(1) - at(0), at(2) - at(0)).z;
+          is_upright = is_upright && twice >= 0;
+          covered += twice / 2;
+        }
+        CHECK(is_upright);
+        CHECK(covered == Approx(area));
+      }
+    }
+}
+
+TEST_CASE("a concave face of very many corners is refused, and a convex one becomes a fan") {
+  const auto face_of = [](int corners, double first) {
+    std::string obj = "v " + std::to_string(first) + " 0 0\n", face = "f 1";
+    for (int i = 1; i < corners; ++i) {
+      const double angle = 6.283185307179586 * i / corners;
+      obj += fmt::format("v {} {} 0\n", std::cos(angle), std::sin(angle));
+      face += fmt::format(" {}", i + 1);
+    }
+    return parse_obj(obj + face + "\n", "bad");
+  };
+  const auto disk = face_of(10'001, 1);
+  REQUIRE(disk);
+  CHECK(disk->mesh->triangles.size() == 9'999);
+  CHECK(disk->mesh->triangles.back() == Mesh::Corners{0, 9'999, 10'000});
+  check_error(face_of(10'001, 2), 10'002, "a concave face of 10001 corners (expected at most 10000)");
+}
+
 TEST_CASE("comments, joined lines and Windows folders in OBJ and MTL files") {
   const TemporaryFolder folder;
   put(folder.file("a.mtl"), "newmtl red # the red one\nKd 1 0 0 # red\nNs 30 # shiny\nnewmtl Material #25\nKd 0 1 0\n");
