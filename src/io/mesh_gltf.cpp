@@ -11,6 +11,7 @@
 #include <array>
 #include <bit>
 #include <limits>
+#include <string_view>
 
 namespace raywalk {
 
@@ -21,6 +22,12 @@ using detail::Json;
 
 constexpr int max_depth = 256;
 constexpr std::int64_t max_nodes = 1'000'000;
+
+constexpr std::array<std::string_view, 3> extensions_read{"KHR_materials_transmission", "KHR_materials_ior",
+                                                          "KHR_materials_emissive_strength"};
+bool is_read(std::string_view extension) {
+  return std::find(extensions_read.begin(), extensions_read.end(), extension) != extensions_read.end();
+}
 
 /// The location of an accessor's elements: `width` numbers of one type each.
 struct View {
@@ -78,6 +85,7 @@ class GltfReader {
     if (textured_ > 0)
       result.warnings.push_back(detail::warning_of_textures(path_, "some textures of this file", first_textured_.name,
                                                             first_textured_.texture, textured_ - 1));
+    if (see_through_ > 0) result.warnings.push_back(warning_of_alpha());
     if (has_materials) result.materials = std::make_shared<const std::vector<Material>>(std::move(materials_));
     return result;
   }
@@ -87,9 +95,10 @@ class GltfReader {
     const Json& root = file_.json;
     if (const Json* required = file_.find(root, "extensionsRequired"); required && required->is_array())
       for (const Json& name : *required)
-        if (!name.is_string() || name.get_ref<const std::string&>().rfind("KHR_materials_", 0) != 0)
-          return file_.fail(fmt::format("it needs the extension \"{}\" (expected none but KHR_materials_...)",
-                                        name.is_string() ? name.get_ref<const std::string&>().substr(0, 60) : "?"),
+        if (!name.is_string() || !is_read(name.get_ref<const std::string&>()))
+          return file_.fail(fmt::format("it needs the extension \"{}\" (expected none but {})",
+                                        name.is_string() ? name.get_ref<const std::string&>().substr(0, 60) : "?",
+                                        fmt::join(extensions_read, ", ")),
                             "export it without compression and without extensions");
     const Json* scenes = file_.find(root, "scenes");
     if (scenes == nullptr) {
@@ -273,10 +282,25 @@ class GltfReader {
       materials_.push_back(material_of(from, factors));
       without_maps_.push_back(materials_.back());
       const std::string texture = maps_.add_to(materials_.back(), from, factors);
-      if (texture.empty() || ++textured_ > 1) continue;
-      const std::string name = GltfFile::text_or_none(from, "name");
-      first_textured_ = {name.empty() ? std::to_string(i) : name, {}, texture};
+      std::string name = GltfFile::text_or_none(from, "name");
+      if (name.empty()) name = std::to_string(i);
+      if (is_see_through(from) && ++see_through_ == 1) first_see_through_ = name;
+      if (!texture.empty() && ++textured_ == 1) first_textured_ = {std::move(name), {}, texture};
     }
+  }
+  /// Whether its alpha, which is not read, lets something behind it show.
+  [[nodiscard]] bool is_see_through(const Json& from) const {
+    const std::string mode = GltfFile::text_or_none(from, "alphaMode");
+    if (mode != "BLEND" && mode != "MASK") return false;
+    const Json* pbr = file_.find(from, "pbrMetallicRoughness");
+    return pbr != nullptr && (file_.find(*pbr, "baseColorTexture") != nullptr ||
+                              file_.numbers<4>(*pbr, "baseColorFactor", {1, 1, 1, 1})[3] < 1);
+  }
+  [[nodiscard]] std::string warning_of_alpha() const {
+    const std::size_t others = see_through_ - 1;
+    const std::string more = others == 0 ? "" : fmt::format(", nor of {} other{}", others, others == 1 ? "" : "s");
+    return fmt::format("{}: warning: alpha is not read: that of the material \"{}\"{}; such surfaces are opaque", path_,
+                       first_see_through_.substr(0, 60), more);
   }
 
   /// The metallic part is a mirror, the weaker the rougher it is; the rest is matt, or glass as rough as it says, by
@@ -292,17 +316,19 @@ class GltfReader {
     const auto emission = file_.numbers<3>(from, "emissiveFactor", {0, 0, 0});
     const auto colour = [](double x) { return std::clamp(x, 0.0, 1.0); };
     const Rgbd tint(colour(base[0]), colour(base[1]), colour(base[2]));
-    double through = 0;
+    double through = 0, strength = 1;  // of the emission
     if (const Json* extensions = file_.find(from, "extensions")) {
       if (const Json* transmission = file_.find(*extensions, "KHR_materials_transmission"))
         through = colour(file_.numbers<1>(*transmission, "transmissionFactor", {0})[0]);
       if (const Json* ior = file_.find(*extensions, "KHR_materials_ior"))
         material.ior = std::clamp(file_.numbers<1>(*ior, "ior", {1.5})[0], 1.0, 10.0);
+      if (const Json* emissive = file_.find(*extensions, "KHR_materials_emissive_strength"))
+        strength = file_.numbers<1>(*emissive, "emissiveStrength", {1})[0];
     }
     material.transmission = through * tint;
     material.reflection = (1 - through) * colour(mirrored) * tint;
     material.diffuse = (1 - through) * (1 - colour(mirrored)) * tint;
-    const auto light = [](double x) { return std::clamp(x, 0.0, schema::light_amount.high); };
+    const auto light = [&](double x) { return std::clamp(strength * x, 0.0, schema::light_amount.high); };
     material.emission = {light(emission[0]), light(emission[1]), light(emission[2])};
     material.dielectric = through > 0;
     if (through > 0) material.roughness = colour(rough) * colour(rough);
@@ -317,6 +343,8 @@ class GltfReader {
   std::vector<Material> materials_, without_maps_;
   NamedMaterial first_textured_;
   std::size_t textured_ = 0;  ///< materials with textures that are not read
+  std::string first_see_through_;
+  std::size_t see_through_ = 0;  ///< materials whose alpha is not read
   std::int64_t nodes_visited_ = 0;
   bool has_normals_ = false, has_uv_ = false;
 };

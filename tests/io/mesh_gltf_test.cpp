@@ -105,6 +105,29 @@ TEST_CASE("glass of a glTF file is as rough as the square of what it calls rough
   CHECK(material.ior == 1.4);
 }
 
+TEST_CASE("the strength of a glTF file's light multiplies it, and alpha that is not read is told of") {
+  const auto read = [](const std::string& material) {
+    auto file = parse_gltf(
+        glb(gltf(plain_node, "", replaced(accessors, R"("emissiveFactor")", material + R"("emissiveFactor")"))),
+        "a.glb");
+    if (!file) FAIL(file.error().text());
+    return *file;
+  };
+  const std::string strong = R"("extensions": {"KHR_materials_emissive_strength": {"emissiveStrength": 20}}, )";
+  CHECK(read(strong).materials->front().emission == Rgbd(0, 0, 40));
+  CHECK(read(R"("alphaMode": "BLEND", )").warnings.empty());  // wholly opaque
+  const std::string blended = replaced(accessors, "0.5, 0, 1]", "0.5, 0, 0.5]");
+  for (const std::string mode : {"BLEND", "MASK", "OPAQUE"}) {
+    const auto file = parse_gltf(
+        glb(gltf(plain_node, "", replaced(blended, R"("emissive)", R"("alphaMode": ")" + mode + R"(", "emissive)"))),
+        "a.glb");
+    REQUIRE(file);
+    CHECK(file->warnings.size() == (mode == "OPAQUE" ? 0 : 1));
+    for (const std::string& warning : file->warnings)
+      CHECK(warning == "a.glb: warning: alpha is not read: that of the material \"0\"; such surfaces are opaque");
+  }
+}
+
 TEST_CASE("that some of a glTF file's textures are not read is said once, whatever is wrong with them") {
   const auto warnings = [](const std::string& materials) {
     const std::string textures =
@@ -228,8 +251,9 @@ TEST_CASE("what is wrong with a glTF file is told") {
   check_refused(changed("5123", "5122"), "the indices of a mesh are no whole numbers");
   check_refused(changed("5123, \"count\": 6", "5126, \"count\": 3"), "the indices of a mesh are no whole numbers");
   check_refused(changed("{\"mesh\": 0}", "{\"children\": [0]}"), "in a circle");
-  check_refused(changed("\"asset\"", "\"extensionsRequired\": [\"KHR_draco_mesh_compression\"], \"asset\""),
-                "needs the extension \"KHR_draco_mesh_compression\" (expected");
+  for (const std::string extension : {"KHR_draco_mesh_compression", "KHR_materials_clearcoat"})
+    check_refused(changed("\"asset\"", "\"extensionsRequired\": [\"" + extension + "\"], \"asset\""),
+                  "needs the extension \"" + extension + "\" (expected");
   const std::string deep = std::string(200'000, '[') + std::string(200'000, ']');  // a walk through it needs a stack
   check_refused(changed("\"asset\"", "\"extensionsRequired\": [" + deep + "], \"asset\""), "needs the extension");
   check_refused(gltf(plain_node, "\"uri\": \"http://example.org/a.bin\", "), "expected a file beside the mesh");
