@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -81,6 +82,13 @@ class GltfMaps {
   struct Factors {
     Rgbd base{1.0};
     double metallic = 1, roughness = 1, through = 0;
+
+    friend bool operator<(const Factors& a, const Factors& b) {
+      const auto all = [](const Factors& f) {
+        return std::array{f.base.x, f.base.y, f.base.z, f.metallic, f.roughness, f.through};
+      };
+      return all(a) < all(b);
+    }
   };
   /// Adds the maps of its textures to a material that is made of the factors alone. The name of the first texture that
   /// is not read, with its image's name if it has one; or "".
@@ -88,6 +96,12 @@ class GltfMaps {
 
  private:
   using Pixels = std::shared_ptr<const Image>;
+  /// What a texture of metal and roughness makes of a material's parameters; null for a colour that is black.
+  struct Worn {
+    Pixels mirrored, matt, passed, rough;
+  };
+  /// Made once for all materials of the same textures and factors.
+  const Worn& worn(const Pixels& base, const Pixels& metal, const Factors& factors);
   /// A texture that lies on TEXCOORD_0 and can be read; null if there is none.
   Pixels read(const Json* use, const char* key, bool is_colour);
   [[nodiscard]] const Json* named_by(const Json& object, const char* key, const char* list) const;
@@ -96,6 +110,7 @@ class GltfMaps {
   const GltfFile& file_;
   std::string path_;
   std::map<std::pair<const Json*, bool>, Pixels> images_;
+  std::map<std::tuple<Pixels, Pixels, Factors>, Worn> worn_;
   std::string unread_;
 };
 

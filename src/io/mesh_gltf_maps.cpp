@@ -4,6 +4,9 @@
 
 #include "image/image_file.h"
 #include "io/mesh_gltf.h"
+#include "text/memory.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -81,6 +84,45 @@ auto GltfMaps::read(const Json* use, const char* key, bool is_colour) -> Pixels 
   return pixels;
 }
 
+auto GltfMaps::worn(const Pixels& base, const Pixels& metal, const Factors& factors) -> const Worn& {
+  const auto [known, is_new] = worn_.try_emplace({base, metal, factors});
+  Worn& of = known->second;
+  if (!is_new) return of;
+  const Image& size = base && base->pixels.size() > metal->pixels.size() ? *base : *metal;
+  const double through = factors.through, pictures = through > 0 ? 4 : 2;
+  if (const auto large = why_too_large(
+          {fmt::format("the maps of materials from {} x {} pixels", size.width, size.height),
+           pictures * sizeof(Rgb<float>) * static_cast<double>(size.pixels.size()), "use smaller textures"},
+          path_)) {
+    file_.fail(large->message, large->hint);
+    return of;
+  }
+  const auto made = [&](auto pixel) {
+    Image image{size.width, size.height, {}};
+    image.pixels.reserve(size.pixels.size());
+    for (int row = 0; row < size.height; ++row)
+      for (int column = 0; column < size.width; ++column) {
+        const Rgbd own = at_place(metal.get(), column, row, size);
+        const Rgbd tint = factors.base * at_place(base.get(), column, row, size);
+        const double roughness = within(factors.roughness * own.y);
+        image.pixels.emplace_back(pixel(tint, within(factors.metallic * own.z) * (1 - roughness), roughness));
+      }
+    return std::make_shared<const Image>(std::move(image));
+  };
+  const auto seen = [](const Pixels& of_colours) {
+    const auto& pixels = of_colours->pixels;
+    return std::all_of(pixels.begin(), pixels.end(), [](const auto& each) { return is_black(each); }) ? nullptr
+                                                                                                      : of_colours;
+  };
+  const double opaque = 1 - through;
+  of.mirrored = seen(made([&](const Rgbd& tint, double mirror, double) { return opaque * mirror * tint; }));
+  of.matt = seen(made([&](const Rgbd& tint, double mirror, double) { return opaque * (1 - mirror) * tint; }));
+  if (through == 0) return of;
+  of.passed = seen(made([&](const Rgbd& tint, double, double) { return through * tint; }));
+  of.rough = made([](const Rgbd&, double, double roughness) { return Rgbd(roughness * roughness); });
+  return of;
+}
+
 std::string GltfMaps::add_to(Material& material, const Json& from, const Factors& factors) {
   unread_.clear();
   const Json none = Json::object();
@@ -90,33 +132,17 @@ std::string GltfMaps::add_to(Material& material, const Json& from, const Factors
   const Pixels metal = read(GltfFile::find(pbr, "metallicRoughnessTexture"), "metallicRoughnessTexture", false);
   const auto map = [&](MappedParameter of, const Pixels& pixels) { material.maps.push_back({laid(pixels), of}); };
   if (metal) {
-    const Image& size = base && base->pixels.size() > metal->pixels.size() ? *base : *metal;
-    Image mirrored{size.width, size.height, {}}, matt = mirrored, passed = mirrored, rough = mirrored;
-    for (int row = 0; row < size.height; ++row)
-      for (int column = 0; column < size.width; ++column) {
-        const Rgbd own = at_place(metal.get(), column, row, size);
-        const Rgbd tint = factors.base * at_place(base.get(), column, row, size);
-        const double roughness = within(factors.roughness * own.y);
-        const double mirror = within(factors.metallic * own.z) * (1 - roughness), opaque = 1 - factors.through;
-        mirrored.pixels.emplace_back(opaque * mirror * tint);
-        matt.pixels.emplace_back(opaque * (1 - mirror) * tint);
-        passed.pixels.emplace_back(factors.through * tint);
-        rough.pixels.emplace_back(Rgbd(roughness * roughness));
-      }
-    const auto take = [&](Rgbd& colour, MappedParameter of, Image& pixels) {
-      if (std::all_of(pixels.pixels.begin(), pixels.pixels.end(), [](const auto& each) { return is_black(each); })) {
-        colour = Rgbd(0.0);
-        return;
-      }
-      colour = Rgbd(1.0);
-      map(of, std::make_shared<const Image>(std::move(pixels)));
+    const Worn& maps = worn(base, metal, factors);
+    const auto take = [&](Rgbd& colour, MappedParameter of, const Pixels& pixels) {
+      colour = Rgbd(pixels ? 1.0 : 0.0);
+      if (pixels) map(of, pixels);
     };
-    take(material.reflection, MappedParameter::reflection, mirrored);
-    take(material.diffuse, MappedParameter::diffuse, matt);
-    take(material.transmission, MappedParameter::transmission, passed);
-    if (factors.through > 0) {
+    take(material.reflection, MappedParameter::reflection, maps.mirrored);
+    take(material.diffuse, MappedParameter::diffuse, maps.matt);
+    take(material.transmission, MappedParameter::transmission, maps.passed);
+    if (maps.rough) {
       material.roughness = 1;
-      map(MappedParameter::roughness, std::make_shared<const Image>(std::move(rough)));
+      map(MappedParameter::roughness, maps.rough);
     }
   } else if (base) {
     if (!is_black(material.diffuse)) map(MappedParameter::diffuse, base);

@@ -196,6 +196,18 @@ TEST_CASE("a glTF file's textures become maps, where its vertices have texture p
   CHECK(static_cast<double>(worn.maps[0].pixels->at(0, 0).x) == Approx(mirror * static_cast<double>(half)));
   CHECK(static_cast<double>(worn.maps[1].pixels->at(1, 0).x) == Approx(1 - mirror));
   CHECK(worn.reflection == Rgbd(1.0));
+  // Materials of one look share their maps.
+  const std::string look = R"("pbrMetallicRoughness": {)" + base + R"(, "metallicRoughnessTexture": {"index": 0}})";
+  const auto two =
+      parse_gltf(glb(gltf(plain_node, "",
+                          uv + R"("meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 2},
+                                                "indices": 1, "material": 0}]}], "materials": [{)" +
+                              look + "}, {" + look + "}]")),
+                 folder.file("a.glb"));
+  if (!two) FAIL(two.error().text());
+  REQUIRE(two->materials->at(0).maps.size() == 2);
+  for (std::size_t i = 0; i < 2; ++i)
+    CHECK(two->materials->at(0).maps[i].pixels == two->materials->at(1).maps[i].pixels);
   // Without texture points, its factors alone.
   const Material bare = material(
       R"("pbrMetallicRoughness": {)" + base + R"(, "metallicRoughnessTexture": {"index": 0}, "metallicFactor": 0.5})",
