@@ -175,8 +175,15 @@ Result<Image> decode_pfm(std::string_view bytes, const std::string& file_name) {
   return image;
 }
 
+namespace {
+
+/// A PFM of the most pixels; no other format that is read takes more.
+constexpr std::size_t max_file_bytes = 12 * static_cast<std::size_t>(max_image_pixels) + 64;
+
+}  // namespace
+
 Result<Image> read_pfm(const std::string& path) {
-  const auto bytes = read_file(path, std::size_t{1} << 30);
+  const auto bytes = read_file(path, max_file_bytes);
   if (!bytes) return tl::unexpected(bytes.error());
   return decode_pfm(*bytes, path);
 }
@@ -199,16 +206,13 @@ Result<Image> decode_map(std::string_view bytes, const std::string& file_name, B
 }
 
 Result<Image> read_image(const std::string& path) {
-  constexpr std::size_t max_bytes = std::size_t{1} << 30;
-  const auto bytes = read_file(path, max_bytes);
+  const auto bytes = read_file(path, max_file_bytes);
   if (!bytes) return tl::unexpected(bytes.error());
   if (const auto decode = decoder_of_floats(*bytes)) return decode(*bytes, path);
   if (!bytes->starts_with("\x89PNG\r\n\x1a\n"))
     return tl::unexpected(Error{path, 0, 0, "this is no picture that can be read (expected a PNG, PFM, EXR or HDR)",
                                 "raywalk render writes the first three"});
-  auto image = decode_png_or_jpeg(*bytes, path);
-  if (!image) image.error().hint = "is the file whole?";
-  return image;
+  return decode_png_or_jpeg(*bytes, path, ByteMeaning::colour, max_image_pixels);
 }
 
 }  // namespace raywalk

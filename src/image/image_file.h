@@ -53,12 +53,16 @@ enum class ImageFormat { png, pfm, exr };
 /// What the bytes of a PNG or JPEG are.
 enum class ByteMeaning {
   colour,  ///< sRGB, to be decoded to linear light
-  number,  ///< numbers from 0 to 1, over 255
+  number,  ///< numbers from 0 to 1: over 255, or 65535 where there are 16 bits a channel
 };
 
-/// Reads an 8-bit PNG or JPEG. `file_name` is for messages only.
+/// The most pixels of a texture.
+inline constexpr std::int64_t max_texture_pixels = std::int64_t{1} << 26;
+/// Reads a PNG or JPEG: colours with 8 bits a channel, numbers with the 16 that a PNG may have. `file_name` is for
+/// messages only.
 [[nodiscard]] Result<Image> decode_png_or_jpeg(std::string_view bytes, const std::string& file_name,
-                                               ByteMeaning meaning = ByteMeaning::colour);
+                                               ByteMeaning meaning = ByteMeaning::colour,
+                                               std::int64_t max_pixels = max_texture_pixels);
 
 /// Reads a PNG (8 bits a channel, from sRGB to linear light), a PFM, an OpenEXR or a Radiance picture, detected by its
 /// first bytes.

@@ -213,6 +213,25 @@ TEST_CASE("a picture that is written quickly into a pipe is whole, and one that 
   CHECK(read == encode_pfm({300, 200, std::vector<Rgb<float>>(300 * 200)}));
 }
 
+TEST_CASE("pictures may have more pixels than textures, and only of a damaged one is asked whether it is whole") {
+  const TemporaryFolder folder;
+  const auto refused = [&](std::uint32_t width, std::uint32_t height, bool as_picture) {
+    std::string png = encode_png(two_by_three()).value();
+    const auto put_number = [&](std::size_t at, std::uint32_t number) {
+      for (std::size_t i = 0; i < 4; ++i) png[at + i] = static_cast<char>(number >> (24 - 8 * i));
+    };
+    put_number(16, width), put_number(20, height);
+    put_number(29, crc(std::string_view(png).substr(12, 17)));
+    put(folder.file("a.png"), png);
+    const auto image = as_picture ? read_image(folder.file("a.png")) : decode_png_or_jpeg(png, "a.png");
+    REQUIRE_FALSE(image);
+    return image.error().message + ": " + image.error().hint;
+  };
+  CHECK_THAT(refused(8193, 8192, false), contains("(expected at most 67108864 in all): make it smaller"));
+  CHECK_THAT(refused(8193, 8192, true), contains("damaged") && contains("whole"));
+  CHECK_THAT(refused(16385, 16384, true), contains("(expected at most 268435456 in all): make it smaller"));
+}
+
 TEST_CASE("a PFM is bottom-up, little-endian and linear, byte by byte") {
   const std::string pfm = encode_pfm({1, 2, {{1, 0.5F, -2}, {0, 256, inf_float}}});
   const std::string expected = std::string("PF\n1 2\n-1.0\n") +

@@ -56,6 +56,16 @@ TEST_CASE("a texture holds what its JPEG shows") {
     CHECK(pixel.y == Approx(srgb_decode(100 / 255.0)).margin(0.02));
     CHECK(pixel.z == Approx(srgb_decode(50 / 255.0)).margin(0.02));
   }
+  unsigned char* inks = nullptr;
+  const tjhandle printer = tjInitCompress();
+  rgb.resize(std::size_t{4} * 16 * 8);
+  REQUIRE(tjCompress2(printer, rgb.data(), 16, 0, 8, TJPF_CMYK, &inks, &size, TJSAMP_444, 95, 0) == 0);
+  const auto print = decode_png_or_jpeg(std::string_view(reinterpret_cast<const char*>(inks), size), "print.jpg");
+  tjFree(inks);
+  tjDestroy(printer);
+  REQUIRE_FALSE(print);
+  CHECK(print.error().message == "this JPEG is in CMYK (expected RGB or grey)");
+  CHECK_THAT(print.error().hint, contains("as RGB"));
   // A picture whose end is missing is not taken for one with grey below.
   const auto half = decode_png_or_jpeg(std::string_view(jpeg).substr(0, jpeg.size() - 40), "wood.jpg");
   REQUIRE_FALSE(half);
@@ -106,6 +116,26 @@ TEST_CASE("16 bits of a PNG mean what 8 do, and numbers what they say whatever t
   is(decode_png_or_jpeg(plain, "", ByteMeaning::number), as_it_is);
 }
 
+TEST_CASE("numbers keep the 16 bits of a PNG, also beside an alpha that hides nothing") {
+  const std::array<std::uint16_t, 8> rgba{0x1234, 0x1235, 0xffff, 0xffff, 1, 0, 0x8001, 0xffff};
+  const auto written = [&](std::uint16_t alpha) {
+    std::array<std::uint16_t, 8> samples = rgba;
+    samples[7] = alpha;
+    png_image header{};
+    header.version = PNG_IMAGE_VERSION;
+    header.width = 2, header.height = 1, header.format = PNG_FORMAT_LINEAR_RGB_ALPHA;
+    std::string png(2000, '\0');
+    png_alloc_size_t size = png.size();
+    REQUIRE(png_image_write_to_memory(&header, png.data(), &size, 0, samples.data(), 0, nullptr) != 0);
+    return png.substr(0, size);
+  };
+  const auto numbers = decode_png_or_jpeg(written(0xffff), "", ByteMeaning::number);
+  REQUIRE(numbers);
+  for (std::size_t i = 0; i < 6; ++i)
+    CHECK(numbers->pixels[i / 3][static_cast<int>(i % 3)] == static_cast<float>(rgba[i + i / 3] / 65535.0));
+  CHECK(decode_png_or_jpeg(written(0x8000), "", ByteMeaning::number));
+}
+
 TEST_CASE("chunks that are empty, or say that they are huge") {  // a fuzzer's findings
   const std::string png = encode_png(gradient()).value();
   const std::size_t first = png.find("IDAT") - 4;
@@ -124,7 +154,7 @@ TEST_CASE("what is no image, or a damaged one, is refused with its name and a hi
     const auto texture = decode_png_or_jpeg(bad, "wood.png");
     REQUIRE_FALSE(texture);
     CHECK(texture.error().file == "wood.png");
-    CHECK_THAT(texture.error().hint, contains("PNG or a JPEG"));
+    CHECK_THAT(texture.error().hint, contains(bad.size() > 4 ? "is the file whole?" : "a PNG or a JPEG"));
   }
   // Any damage is refused or gives an image of the stated size, and does nothing worse.
   std::mt19937 random(7);
