@@ -44,6 +44,14 @@ template <class T, class Surface>
   return beer_lambert(through->extinction, distance);
 }
 
+/// The transmittance of a ray that meets nothing any more: what it never leaves lets nothing through. In a body that
+/// has an end, it has come out through an opening.
+template <class T, class Medium>
+[[nodiscard]] Rgb<T> transmittance_to_nothing(const Medium* medium) {
+  if (medium == nullptr || !medium->endless) return Rgb<T>(1);
+  return beer_lambert(medium->extinction, std::numeric_limits<T>::max());
+}
+
 /// The bodies that a ray is inside of, as indices into World::bodies: the top one last.
 using BodyStack = std::vector<std::int32_t>;
 

@@ -193,7 +193,8 @@ auto PathTracer<Policy>::find_intersection(const PathRay& ray, const LightSample
     if (blocker && Departure{blocker->primitive, blocker->part} == light_sample.target)
       visible = by_media ? through : emitter_transmittance(light_sample, *blocker);
     if constexpr (Policy::effects.sky)
-      if (!blocker && is_sky(light_sample)) visible = through;
+      if (!blocker && is_sky(light_sample))
+        visible = by_media ? through : transmittance_to_nothing<T>(light_sample.medium);
   }
   const Ending ending = is_black(visible) ? Ending::blocked : Ending::reached_light;
   ++statistics_.ends(ending);

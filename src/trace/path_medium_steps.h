@@ -121,7 +121,10 @@ auto PathTracer<Policy>::closest_through_media(const LightSample& light_sample, 
   rest.ray.direction = normalize(rest.ray.direction);
   for (;;) {
     Nearest nearest = world_.accelerator.closest(rest.ray, infinity<T>, statistics_.tests);
-    if (!nearest) return nearest;
+    if (!nearest) {
+      transmittance *= transmittance_to_nothing<T>(rest.medium);
+      return nearest;
+    }
     const Surface& met = world_.surface(nearest->primitive);
     const SurfacePoint<T> point = world_.accelerator.primitives().surface_at(
         nearest->primitive, rest.ray, Intersection<T>{nearest->t, nearest->part});

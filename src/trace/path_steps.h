@@ -112,7 +112,7 @@ template <class Policy>
 auto PathTracer<Policy>::add_background(const Rgb<T>& shade, const PathRay& ray) -> Rgb<T> {
   if constexpr (Policy::effects.sky)
     if (world_.sky) return add_sky(shade, ray);
-  const Rgb<T> added = ray.throughput * world_.background;
+  const Rgb<T> added = ray.throughput * transmittance_to_nothing<T>(ray.medium) * world_.background;
   note(Line::add_background, ray.length,
        [&] { return BackgroundAdded{ray.number, Rgbd(world_.background), 0, 0, 1, Rgbd(added)}; });
   return shade + added;
@@ -128,7 +128,7 @@ auto PathTracer<Policy>::add_sky(const Rgb<T>& shade, const PathRay& ray) -> Rgb
     light_pdf = static_cast<T>(world_.sky->pdf(direction, settings_.sky));
   T weight = 1;
   if (light_pdf > 0) weight = settings_.strategy == PathStrategy::lights ? T(0) : power_heuristic(ray.pdf, light_pdf);
-  const Rgb<T> added = weight * ray.throughput * radiance;
+  const Rgb<T> added = weight * ray.throughput * transmittance_to_nothing<T>(ray.medium) * radiance;
   note(Line::add_background, ray.length, [&] {
     return BackgroundAdded{ray.number,
                            Rgbd(radiance),

@@ -327,10 +327,10 @@ World<T>::World(const Scene& scene, AcceleratorKind kind, std::optional<Fault> i
       occludes(scene.render.switches.shadows),
       epsilon(static_cast<T>(scene.render.epsilon)) {
   absorbs = std::any_of(surfaces.begin(), surfaces.end(), [](const Surface& each) { return each.absorbs; });
-  if (effects.used(Effect::scattering))
+  if (absorbs)
     for (int id = 0; id < accelerator.primitives().own_size(); ++id) {
       Surface& its = surfaces[static_cast<std::size_t>(&surface(id) - surfaces.data())];
-      its.endless = its.endless || (its.scatters() && !accelerator.primitives().box(id).bounded());
+      its.endless = its.endless || (its.absorbs && !accelerator.primitives().box(id).bounded());
     }
   bodies = bodies_that_nest(*this, scene.camera);
   for (Surface& each : surfaces) each.nests = !bodies.empty();

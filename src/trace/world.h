@@ -74,7 +74,7 @@ struct World {
     Rgb<T> extinction{0};          ///< absorption and scattering, per unit of length
     T ior = 1;                     ///< of air; a scene's default is that of Material
     bool absorbs = false;          ///< transmits, and extinction is not black
-    bool endless = false;          ///< scatters, and is unbounded
+    bool endless = false;          ///< absorbs, and is unbounded
     std::int32_t scattering = -1;  ///< index into `scatterings`: for paths, which then walk inside
                                    ///< (trace/medium_walk.h); all others lose what scatters
     [[nodiscard]] bool scatters() const { return scattering >= 0; }

@@ -130,6 +130,34 @@ TEST_CASE("a medium that absorbs only is as Beer's law says, and one whose chann
   }
 }
 
+TEST_CASE("through a medium that is never left nothing is seen, be it a background or a sky") {
+  Scene scene;
+  scene.render.sampler = Sampler::random;
+  scene.background = Rgbd(1.0);
+  scene.sky = Sky{GradientSky{Rgbd(1.0), Rgbd(1.0)}};
+  Material clear = milky(0);
+  SECTION("it absorbs") {
+    scene.objects = {object("Sea", Plane<double>{{0, 0, 0}, {-1, 0, 0}}, clear)};
+    CHECK(seen_at(scene, 0.7, 4).mean == Rgbd(0.0));
+    SECTION("also from a wall in it") {
+      scene.objects.push_back(object("Wall", Disk<double>{{0.5, -0.5, 0}, {0, 1, 0}, 0.4}, matte(1)));
+      PathSettings settings;
+      settings.max_length = 3;  // from the wall straight on
+      CHECK(light_along(scene, {-1, 1, 0}, {0, 0, 0}, 64, settings).mean == Rgbd(0.0));
+    }
+    scene.sky.reset();
+    CHECK(seen_at(scene, 0.7, 4).mean == Rgbd(0.0));
+  }
+  SECTION("it scatters: as much comes back under a sky as under a background") {
+    scene.objects = {object("Milk", Plane<double>{{0, 0, 0}, {-1, 0, 0}}, milky(0.5))};
+    const Estimate by_sky = seen_at(scene, 0.7, rounds(1 << 15));
+    scene.sky.reset();
+    const Estimate by_background = seen_at(scene, 0.7, rounds(1 << 15));
+    CAPTURE(by_sky.mean.x, by_background.mean.x);
+    CHECK(std::abs(by_sky.mean.x - by_background.mean.x) < 4.5 * (by_sky.error + by_background.error));
+  }
+}
+
 TEST_CASE("channels that scatter differently are each as if alone") {
   Scene scene;
   scene.render.sampler = Sampler::random;
