@@ -154,7 +154,8 @@ struct Bsdf : std::conditional_t<with_facets, FacetLobes<T>, NoFacetLobes>,
       if (this->matt != nullptr) return this->matt->value(diffuse, shading_normal, -incident, direction) * cos;
     return diffuse * cos;
   }
-  /// The same of the highlight, as ks (n.h)^s is. Small facets show lights that have no extent.
+  /// The same of the highlight, as ks (n.h)^s is. Small facets show lights that have no extent, rough glass also those
+  /// behind it.
   [[nodiscard]] Rgb<T> highlight_of_facets(const Vec3<T>& direction) const {
     if constexpr (with_facets) {
       if (this->glass != nullptr) return pi_v<T> * by_glass(direction).value;
@@ -166,6 +167,12 @@ struct Bsdf : std::conditional_t<with_facets, FacetLobes<T>, NoFacetLobes>,
       }
     }
     return Rgb<T>(0);
+  }
+  /// Whether rough glass may send light on that comes from there, behind it.
+  [[nodiscard]] bool is_behind_glass(const Vec3<T>& direction) const {
+    if constexpr (with_facets)
+      return this->glass != nullptr && dot(geometric_normal, direction) < 0 && dot(shading_normal, direction) < 0;
+    return false;
   }
   [[nodiscard]] Lobe sample_lobe(T u) const;
   /// Weight 0 when the sampled direction is below the horizon. `chosen_by`: the number that `sample_lobe` chose by; of

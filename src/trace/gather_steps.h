@@ -143,7 +143,8 @@ auto PhotonTracer<Policy>::form_shadow_ray(const EyeRay& ray, const Vertex& at, 
   return light_sample;
 }
 
-/// A light contributes as in the tracer: its strength times kd cos and ks (n.h)^s.
+/// A light contributes as in the tracer: its strength times kd cos and ks (n.h)^s; behind rough glass, what that
+/// transmits.
 template <class Policy>
 std::optional<Ending> PhotonTracer<Policy>::aim_at_light(LightSample& light_sample, const Vertex& at) {
   const Light& light = *light_sample.light;
@@ -157,15 +158,16 @@ std::optional<Ending> PhotonTracer<Policy>::aim_at_light(LightSample& light_samp
   }
   to_light = light.direction_to(point, at.position);
   const auto& bsdf = at.bsdf;
-  if (!(dot(bsdf.shading_normal, to_light) > 0) || !(dot(bsdf.geometric_normal, to_light) > 0))
+  const bool behind = bsdf.is_behind_glass(to_light);
+  if (!behind && (!(dot(bsdf.shading_normal, to_light) > 0) || !(dot(bsdf.geometric_normal, to_light) > 0)))
     return Ending::facing_away;
   if (!light.shines_along(to_light)) return Ending::outside_cone;
   const T distance = light.distance(to_light);
   const Vec3<T> l = to_light * (1 / distance);
   Rgb<T> radiance = light.strength * (1 / light.attenuation(distance));
   if (!light.is_isotropic) radiance *= light.falloff(l);
-  Rgb<T> answers = bsdf.diffuse_answer(l, dot(bsdf.shading_normal, l));
-  if (!is_black(at.specular)) {
+  Rgb<T> answers = behind ? Rgb<T>(0) : bsdf.diffuse_answer(l, dot(bsdf.shading_normal, l));
+  if (!behind && !is_black(at.specular)) {
     const Vec3<T> h = l - bsdf.incident;
     const T n_h = std::max(dot(bsdf.shading_normal, h) / length(h), T(0));
     answers += at.specular * power(n_h, bsdf.shininess);

@@ -70,11 +70,11 @@ auto PathTracer<Policy>::form_shadow_ray(const PathRay& ray, const Vertex& at, i
 }
 
 /// A light contributes as in the tracer: its strength times kd cos and ks (n.h)^s, and what small mirrors have of it.
-/// Inside of a medium, the phase function is in the place of kd / pi cos.
+/// Inside of a medium, the phase function is in the place of kd / pi cos. A light behind the surface shows in rough
+/// glass only, and not where its shadow is filtered, for then the light of lamps is what the filter lets through.
 template <class Policy>
 std::optional<Ending> PathTracer<Policy>::aim_at_light(LightSample& light_sample, const Vertex& at) {
   const typename World<T>::Light& light = *light_sample.light;
-  light_sample.medium = at.medium;  // only lights in front of the surface illuminate it
   Vec3<T>& to_light = light_sample.ray.direction;
   Vec3<T> point = light.place;
   if (!light.is_delta) {
@@ -85,8 +85,11 @@ std::optional<Ending> PathTracer<Policy>::aim_at_light(LightSample& light_sample
   }
   to_light = light.direction_to(point, at.position);
   const auto& bsdf = at.bsdf;
-  if (!is_inside(at) && (!(dot(bsdf.shading_normal, to_light) > 0) || !(dot(bsdf.geometric_normal, to_light) > 0)))
+  const bool behind = !is_inside(at) && bsdf.is_behind_glass(to_light) && !at.surface->filters_shadows;
+  if (!is_inside(at) && !behind &&
+      (!(dot(bsdf.shading_normal, to_light) > 0) || !(dot(bsdf.geometric_normal, to_light) > 0)))
     return Ending::facing_away;
+  light_sample.medium = behind ? at.behind : at.medium;
   if (!light.shines_along(to_light)) return Ending::outside_cone;
   const T distance = light.distance(to_light);
   const Vec3<T> l = to_light * (1 / distance);
@@ -96,8 +99,8 @@ std::optional<Ending> PathTracer<Policy>::aim_at_light(LightSample& light_sample
     light_sample.contribution = at.throughput * radiance * (pi_v<T> * evaluate(at, l).value);
     return std::nullopt;
   }
-  Rgb<T> answers = bsdf.diffuse_answer(l, dot(bsdf.shading_normal, l));
-  if (!is_black(at.specular)) {
+  Rgb<T> answers = behind ? Rgb<T>(0) : bsdf.diffuse_answer(l, dot(bsdf.shading_normal, l));
+  if (!behind && !is_black(at.specular)) {
     const Vec3<T> h = l - bsdf.incident;
     const T n_h = std::max(dot(bsdf.shading_normal, h) / length(h), T(0));
     answers += at.specular * power(n_h, bsdf.shininess);

@@ -128,6 +128,28 @@ TEST_CASE("a lamp shows in rough glass, which whitted else takes as smooth") {
   CHECK(lit.x - rough.x == Approx(2 * pi_v<double> * (at.once + at.again)).epsilon(1e-9));
 }
 
+TEST_CASE("a lamp behind rough glass shows in it to paths and photons, but not to paths where the glass filters it") {
+  const Vec3d light(0.5, -0.3, -2), eye(-2, 0.5, 1.5);
+  Scene scene;
+  scene.background = Rgbd(0.0);
+  scene.objects = {object("Pane", Disk<double>{{0, 0, 0}, {0, 0, 1}, 9}, frosted(0.3))};
+  scene.lights = {lamp(light, 2)};
+  scene = looking(scene, eye, {0, 0, 0});
+  scene.camera.screen = {1, 1e-9, 1};
+  scene.camera.fov.reset();
+  using Glass = RoughDielectric<double>;
+  const Glass glass(0.3, 1, 1.5);
+  const auto at = glass.evaluate(Glass::Side::rarer, {0, 0, 1}, normalize(eye), normalize(light));
+  for (const Integrator integrator : {Integrator::path, Integrator::photons}) {
+    scene.render.integrator = integrator;
+    CHECK(mean_of_pictures(scene, 1, 1, 1, 2).mean == Approx(2 * pi_v<double> * (at.once + at.again)).epsilon(1e-6));
+  }
+  CHECK(at.once > 0.01);
+  scene.render.integrator = Integrator::path;
+  scene.objects[0].material.shadow = ShadowKind::filtered;
+  CHECK(mean_of_pictures(scene, 1, 1, 1, 2).mean == 0);
+}
+
 TEST_CASE("nearly smooth glass and matt surfaces bring what smooth ones do") {
   Scene scene = rough_corner();
   const auto set = [&](double roughness) {
