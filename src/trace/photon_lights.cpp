@@ -90,8 +90,8 @@ PhotonLights<T>::PhotonLights(const World<T>& world, const Emitters<T>& emitters
     radiance += sum_of(Rgbd(environment(Vec3<T>(any_direction(unit))))) / looks;
   }
   if (world.sky && !(radiance > 0)) radiance = 1e-3;  // a spot that none of the looks has met
-  environment_power_ = directions() * (flat ? 2 * radius_ : pi_v<double> * radius_ * radius_) * radiance;
-  if (environment_power_ > 0) add(Source::environment, 0, environment_power_);
+  environment_shines_ = radiance > 0;
+  add(Source::environment, 0, directions() * (flat ? 2 * radius_ : pi_v<double> * radius_ * radius_) * radiance);
   double sum = 0;
   for (const Entry& entry : entries_) sum += entry.probability;
   double up_to = 0;

@@ -69,7 +69,8 @@ class PhotonLights {
 
   /// The radiance of what a ray meets that leaves the scene.
   [[nodiscard]] Rgb<T> environment(const Vec3<T>& direction) const;
-  [[nodiscard]] bool has_environment() const { return environment_power_ > 0; }
+  /// Whether it shines; where nothing is bounded it sends no photons.
+  [[nodiscard]] bool has_environment() const { return environment_shines_; }
 
  private:
   enum class Source { lamp, emitters, environment };
@@ -126,7 +127,8 @@ class PhotonLights {
   const Emitters<T>& emitters_;
   bool flat_;
   Vec3d centre_{0.0};
-  double radius_ = 0, environment_power_ = 0;
+  double radius_ = 0;
+  bool environment_shines_ = false;
   std::vector<Entry> entries_;
   std::vector<double> cdf_;
   std::vector<Target> targets_;

@@ -194,6 +194,14 @@ TEST_CASE("watching photons changes nothing, whoever sends them in whatever orde
   CHECK(first.formed(RayKind::photon) == first.ends(Ending::hit) + first.ends(Ending::missed));
 }
 
+TEST_CASE("a background lights a floor beside which there is nothing") {
+  Scene scene = by_photons({}, 1000, 50);
+  scene.objects = {{"Floor", Plane<double>{{0, 0, 0}, {0, 0, 1}}, matt(0.5)}};
+  scene.background = Rgbd(2.0);
+  scene = looking(scene, {0, 0, 2}, {3, 0, -3});
+  CHECK(mean_of_pictures(scene, 4, 4, 1, 2).mean == Approx(1));
+}
+
 TEST_CASE("where nothing shines no photon is sent, and sending can be cancelled") {
   Scene dark = by_photons(hollow_ball(ball_radius, wall_albedo, {0, 0, 0}, law_of_square), 1000, 50);
   const World<double> world(dark);
