@@ -10,10 +10,11 @@ template <class Policy>
 struct PhotonTracer<Policy>::LightSample {
   Ray ray;
   int number;
-  const Light* light;    ///< null: an emitter, or what lies around the scene
-  Departure target;      ///< the part of the emitter that should be hit; primitive -1: none
-  Rgb<T> contribution;   ///< to the pixel, if unoccluded
-  bool endless = false;  ///< to what lies around the scene
+  const Light* light;              ///< null: an emitter, or what lies around the scene
+  Departure target;                ///< the part of the emitter that should be hit; primitive -1: none
+  Rgb<T> contribution;             ///< to the pixel, if unoccluded
+  bool endless = false;            ///< to what lies around the scene
+  const Medium* medium = nullptr;  ///< that it starts in, and is visible in only, if known
 };
 
 template <class Policy>
@@ -74,7 +75,7 @@ bool PhotonTracer<Policy>::decide_missed(const EyeRay& ray, const Nearest& neare
 template <class Policy>
 auto PhotonTracer<Policy>::add_background(const Rgb<T>& shade, const EyeRay& ray) -> Rgb<T> {
   const Rgb<T> radiance = lights_.environment(ray.ray.direction);
-  const Rgb<T> added = ray.gathers ? Rgb<T>(0) : ray.throughput * radiance;
+  const Rgb<T> added = ray.gathers ? Rgb<T>(0) : ray.throughput * transmittance_to_nothing<T>(ray.medium) * radiance;
   note(Line::gather_add_background, ray.length,
        [&] { return BackgroundAdded{ray.number, Rgbd(radiance), 0, 0, ray.gathers ? 0.0 : 1.0, Rgbd(added)}; });
   return shade + added;
@@ -128,6 +129,7 @@ auto PhotonTracer<Policy>::form_shadow_ray(const EyeRay& ray, const Vertex& at, 
   }
   light_sample.ray =
       spawn_ray<Ray>(world_, at.position, at.outward_normal, at.departure, light_sample.ray.direction, at.time);
+  light_sample.medium = dot(light_sample.ray.direction, at.bsdf.geometric_normal) < 0 ? at.behind : at.medium;
   light_sample.number = rays_formed_++;
   ++statistics_.formed(RayKind::shadow);
   note(Line::gather_form_shadow_ray, ray.length, [&] {
@@ -248,9 +250,10 @@ std::optional<Ending> PhotonTracer<Policy>::aim_at_environment(LightSample& ligh
   return std::nullopt;
 }
 
-/// Whether the sample is visible. Everything blocks a light, glass too: what passes glass comes as photons.
+/// The visibility of the sample. Everything blocks a light, glass too: what passes glass comes as photons. So all the
+/// way is in one medium.
 template <class Policy>
-bool PhotonTracer<Policy>::find_intersection(const EyeRay& ray, const LightSample& light_sample) {
+auto PhotonTracer<Policy>::find_intersection(const EyeRay& ray, const LightSample& light_sample) -> Rgb<T> {
   bool visible = false;
   Nearest blocker;
   if (light_sample.light) {
@@ -262,20 +265,33 @@ bool PhotonTracer<Policy>::find_intersection(const EyeRay& ray, const LightSampl
   }
   const Ending ending = visible ? Ending::reached_light : Ending::blocked;
   ++statistics_.ends(ending);
+  const Rgb<T> transmittance = visible ? transmittance_to(light_sample) : Rgb<T>(0);
   note(Line::gather_find_intersection, ray.length, [&] {
     TestCounts uncounted;
     if (light_sample.light && !visible)
       blocker = world_.accelerator.closest(light_sample.ray, light_sample.light->t_far(), uncounted);
-    return blocker              ? detail::describe(light_sample.number, ending, world_, light_sample.ray, *blocker)
-           : light_sample.light ? Found{light_sample.number, ending}
-                                : detail::describe_missed(light_sample.number, ending, world_, light_sample.ray);
+    Found found = blocker ? detail::describe(light_sample.number, ending, world_, light_sample.ray, *blocker)
+                  : light_sample.light ? Found{light_sample.number, ending}
+                                       : detail::describe_missed(light_sample.number, ending, world_, light_sample.ray);
+    if (visible) found.transmittance = Rgbd(transmittance);
+    return found;
   });
-  return visible;
+  return transmittance;
+}
+
+/// Of the medium between a surface and a light that it sees.
+template <class Policy>
+auto PhotonTracer<Policy>::transmittance_to(const LightSample& light_sample) const -> Rgb<T> {
+  const bool far = light_sample.light ? light_sample.light->is_distant : light_sample.endless;
+  if (far) return transmittance_to_nothing<T>(light_sample.medium);
+  if (light_sample.medium == nullptr || !light_sample.medium->absorbs) return Rgb<T>(1);
+  return beer_lambert(light_sample.medium->extinction, length(light_sample.ray.direction));
 }
 
 template <class Policy>
-void PhotonTracer<Policy>::add_light(Rgb<T>& shade, const EyeRay& ray, const LightSample& light_sample, bool visible) {
-  const Rgb<T> added = visible ? light_sample.contribution : Rgb<T>(0);
+void PhotonTracer<Policy>::add_light(Rgb<T>& shade, const EyeRay& ray, const LightSample& light_sample,
+                                     const Rgb<T>& visible) {
+  const Rgb<T> added = is_black(visible) ? Rgb<T>(0) : light_sample.contribution * visible;
   shade += added;
   note(Line::gather_add_light, ray.length, [&] {
     return LightAdded{light_sample.light     ? light_sample.light->index

@@ -167,7 +167,7 @@ class PhotonTracer {
         const std::optional<LightSample> light_sample = form_shadow_ray(*ray, at, light);
         if (!light_sample) continue;
         // Find intersection
-        const bool visible = find_intersection(*ray, *light_sample);
+        const Rgb<T> visible = find_intersection(*ray, *light_sample);
         // Add light
         add_light(shade, *ray, *light_sample, visible);
       }
@@ -226,8 +226,9 @@ class PhotonTracer {
   std::optional<Ending> aim_at_light(LightSample& light_sample, const Vertex& at);
   std::optional<Ending> aim_at_emitter(LightSample& light_sample, const Vertex& at);
   std::optional<Ending> aim_at_environment(LightSample& light_sample, const Vertex& at);
-  bool find_intersection(const EyeRay& ray, const LightSample& light_sample);
-  void add_light(Rgb<T>& shade, const EyeRay& ray, const LightSample& light_sample, bool visible);
+  Rgb<T> find_intersection(const EyeRay& ray, const LightSample& light_sample);
+  [[nodiscard]] Rgb<T> transmittance_to(const LightSample& light_sample) const;
+  void add_light(Rgb<T>& shade, const EyeRay& ray, const LightSample& light_sample, const Rgb<T>& visible);
   PhotonsFound find_nearest_photons(const EyeRay& ray, const Vertex& at);
   /// Adds to what a rough matt surface answers.
   [[nodiscard]] PhotonCircle circle_of(const PhotonMap& map, const Vertex& at, PhotonsFound& found) const;

@@ -5,6 +5,7 @@
 
 #include "support/catch.h"
 #include "trace/paths.h"
+#include "trace/photon_scenes.h"
 #include "trace/sampled.h"
 
 using namespace raywalk;
@@ -122,6 +123,13 @@ TEST_CASE("inside a glass, lamp and wall see each other through it") {
                    object("Glass", Box<double>{{-5, -9, -9}, {9, 9, 9}}, tinted())};
   scene.lights = {lamp({-4, 0, 0}, 1)};
   check_along(scene, {-6, 0, 0}, {2, 0, 0}, left_of_white(7 + 6));
+  SECTION("also to photon mapping, whose shadow rays stay inside") {
+    Scene mapped = looking(scene, {-6, 0, 0}, {2, 0, 0});
+    mapped.camera.screen = {1, 1e-9, 1};
+    mapped.camera.fov.reset();
+    mapped.render.integrator = Integrator::photons;
+    CHECK(mean_of_pictures(mapped, 1, 1, 1, 2).mean == Approx(left_of_white(7 + 6).x).epsilon(1e-6));
+  }
   SECTION("also where their way leaves it and enters it again") {
     scene.objects[1].shape =
         Prism<double>{{{-5, -9}, {-3, -9}, {-3, 5}, {-1, 5}, {-1, -9}, {9, -9}, {9, 9}, {-5, 9}}, 20};
