@@ -6,6 +6,7 @@
 // 2002); of equal ones the body entered last wins. Every crossing remains a hit, even where it changes nothing.
 
 #include "math/elementary.h"
+#include "trace/spawn_ray.h"
 #include "trace/world.h"
 
 #include <algorithm>
@@ -89,6 +90,11 @@ class NestedMedia {
   template <class AnyRay>
   [[nodiscard, gnu::noinline]] const Medium* at_eye(const AnyRay& ray, TestCounts& tests);
 
+  /// The medium that a ray starts in anywhere else, as photons do; null also where all that it is inside of bends light
+  /// but absorbs nothing, and touches nothing else.
+  template <class AnyRay>
+  [[nodiscard, gnu::noinline]] const Medium* at_start(const AnyRay& ray, TestCounts& tests);
+
   /// The media on both sides of a transmitting surface that a ray in `medium` has hit at `point`. Other bodies whose
   /// surfaces coincide there are crossed too.
   template <class AnyRay>
@@ -133,6 +139,13 @@ class NestedMedia {
         world_.accelerator.primitives().surface_at(hit->primitive, ray, Intersection<T>{hit->t, hit->part}).normal;
     return BodyHit{world_.bodies.of_primitive(hit->primitive), dot(normal, ray.direction) <= 0};
   }
+  /// Of the bodies `undecided`, those that the ray leaves before it enters them, in this order. Those that it does not
+  /// cross stay undecided.
+  template <class AnyRay>
+  [[nodiscard]] BodyStack left_by(const AnyRay& ray, BodyStack& undecided, TestCounts& tests);
+  /// `at_start` where bodies neither touch nor hold the eye: a ray is inside of at most one.
+  template <class AnyRay>
+  [[nodiscard]] const Medium* alone_at_start(const AnyRay& ray, TestCounts& tests) const;
   /// Whether an unbounded body contains a point. If so, some line along an axis leads out of it.
   template <class AnyRay>
   [[nodiscard]] bool endless_holds(std::int32_t body, const AnyRay& from, TestCounts& tests);
@@ -165,9 +178,8 @@ bool NestedMedia<T>::endless_holds(std::int32_t body, const AnyRay& from, TestCo
 
 template <class T>
 template <class AnyRay>
-auto NestedMedia<T>::at_eye(const AnyRay& ray, TestCounts& tests) -> const Medium* {
-  const Bodies& bodies = world_.bodies;
-  BodyStack undecided = bodies.around_eye, left;
+BodyStack NestedMedia<T>::left_by(const AnyRay& ray, BodyStack& undecided, TestCounts& tests) {
+  BodyStack left;
   for (const std::int32_t body : undecided) ask(some_, body, true);
   while (const auto met = first_met(some_, ray, infinity<T>, tests)) {
     if (!met->entering) left.push_back(met->body);
@@ -175,6 +187,55 @@ auto NestedMedia<T>::at_eye(const AnyRay& ray, TestCounts& tests) -> const Mediu
     ask(some_, met->body, false);
   }
   for (const std::int32_t body : undecided) ask(some_, body, false);
+  return left;
+}
+
+template <class T>
+template <class AnyRay>
+auto NestedMedia<T>::at_start(const AnyRay& ray, TestCounts& tests) -> const Medium* {
+  const Bodies& bodies = world_.bodies;
+  if (bodies.empty()) return world_.absorbs ? alone_at_start(ray, tests) : nullptr;
+  BodyStack undecided, stack;
+  for (std::size_t body = 0; body < bodies.list.size(); ++body) undecided.push_back(static_cast<std::int32_t>(body));
+  const BodyStack left = left_by(ray, undecided, tests);
+  for (const std::int32_t body : undecided)
+    if (bodies[body].endless && endless_holds(body, ray, tests)) enter(stack, body, bodies);
+  // Of two that hold the start, the outer one is left later.
+  for (auto body = left.rbegin(); body != left.rend(); ++body) enter(stack, *body, bodies);
+  return medium_of(stack);
+}
+
+template <class T>
+template <class AnyRay>
+auto NestedMedia<T>::alone_at_start(const AnyRay& ray, TestCounts& tests) const -> const Medium* {
+  constexpr int most = 100;  // surfaces, whatever rounding does where they touch
+  // Along a ray that meets no body, one without an end may lie all the way; along some axis it ends.
+  for (int sense = -1; sense < 6; ++sense) {
+    AnyRay rest = ray;
+    if (sense >= 0) {
+      rest.direction = Vec3<T>(0);
+      rest.direction[sense / 2] = static_cast<T>(sense % 2 == 0 ? 1 : -1);
+    }
+    for (int surfaces = 0; surfaces < most; ++surfaces) {
+      const auto hit = world_.accelerator.closest(rest, infinity<T>, tests);
+      if (!hit) break;
+      const auto& met = world_.surface(hit->primitive);
+      const SurfacePoint<T> point =
+          world_.accelerator.primitives().surface_at(hit->primitive, rest, Intersection<T>{hit->t, hit->part});
+      if (met.transmits) return dot(point.normal, rest.direction) > 0 ? &met : nullptr;
+      rest = spawn_ray<AnyRay>(world_, point.position, point.normal, {hit->primitive, hit->part}, rest.direction,
+                               rest.time);
+    }
+  }
+  return nullptr;
+}
+
+template <class T>
+template <class AnyRay>
+auto NestedMedia<T>::at_eye(const AnyRay& ray, TestCounts& tests) -> const Medium* {
+  const Bodies& bodies = world_.bodies;
+  BodyStack undecided = bodies.around_eye;
+  const BodyStack left = left_by(ray, undecided, tests);
   BodyStack stack;
   for (const std::int32_t body : bodies.around_eye) {
     const bool never_met = bodies[body].endless && holds(undecided, body);

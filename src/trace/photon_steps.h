@@ -43,6 +43,7 @@ auto PhotonTracer<Policy>::emit_photon() -> PhotonRay {
   PhotonRay photon{
       Ray{ray},    emitted.power * (1 / static_cast<T>(settings_.count)), 1, rays_formed_++, PhotonHistory::direct,
       emitted.lamp};
+  if constexpr (Policy::effects.nesting) photon.medium = nested_.at_start(photon.ray, statistics_.tests);
   inject<Policy>(world_, Fault::power_of_another_pass, [&] { photon.throughput *= T(2); });
   if constexpr (std::is_same_v<Ray, NaiveRay<T>>) {
     // Off the emitter, as all naive rays start.

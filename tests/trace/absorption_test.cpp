@@ -137,6 +137,24 @@ TEST_CASE("inside a glass, lamp and wall see each other through it") {
   }
 }
 
+TEST_CASE("photons know the glass that their lamp stands in, whether or not the eye is in it") {
+  for (const Vec3d& eye : {Vec3d(0.1, 0.2, 0), Vec3d(9, 0, 0)}) {
+    Scene scene = by_photons(hollow_ball(2, 1e-9, {0, 0, 0}, {0, 0, 1}), 1000, 10);
+    scene.objects.push_back(object("Glass", Sphere<double>{{0, 0, 0}, 5}, tinted()));
+    scene.render.photons.gather = true;  // photons straight from the lamp are kept
+    scene = looking(scene, eye, {0, 1, 0});
+    const World<double> world(scene);
+    const Emitters<double> emitters(world);
+    PhotonKernel<double> kernel(scene, world, emitters, photon_settings_of(scene));
+    static_cast<void>(kernel.send(1, 0, 1));
+    Rgbd power(0.0);
+    for (const Photon& photon : kernel.maps()[0].other.photons()) power += Rgbd(photon.power);
+    CAPTURE(eye.x, world.bodies.empty());
+    for (int c = 0; c < 3; ++c)
+      CHECK(power[c] == Approx(4 * pi_v<double> * pi_v<double> * left_of_white(2)[c]).epsilon(1e-4));
+  }
+}
+
 TEST_CASE("inside a glass, paths find what glows alike by its light and by chance") {
   Scene scene;
   Material clear = tinted();
