@@ -8,6 +8,7 @@
 #include "scene/warnings.h"
 #include "text/spelling.h"
 #include "trace/dipole_limits.h"
+#include "trace/photon_limits.h"
 #include "trace/radiosity_kernel.h"
 #include "trace/world.h"
 
@@ -153,6 +154,10 @@ std::string info_text(const Scene& scene, const std::string& path) {
   if (const std::vector<std::string> losses = collected(dipole_losses(scene)); !losses.empty()) {
     text += "\ndipole\n";
     for (const std::string& loss : losses) text += row("  wrong", loss);
+  }
+  if (const std::vector<std::string> losses = collected(photon_losses(scene)); !losses.empty()) {
+    text += "\nphotons\n";
+    for (const std::string& loss : losses) text += row("  left out", loss);
   }
   if (cuts_patches(scene)) text += patches_text(scene);
   return text + structures_text(scene, world);

@@ -15,6 +15,7 @@
 #include "text/file.h"
 #include "trace/dipole_limits.h"
 #include "trace/patches.h"
+#include "trace/photon_limits.h"
 
 #include <fmt/format.h>
 
@@ -193,6 +194,8 @@ ExitCode render_command(const RenderOptions& options) {
     for (const std::string& loss : collected(patch_losses(scene))) note("raywalk render: warning: " + loss);
   if (!options.quiet)
     for (const std::string& loss : collected(dipole_losses(scene))) note("raywalk render: warning: " + loss);
+  if (!options.quiet)
+    for (const std::string& loss : collected(photon_losses(scene))) note("raywalk render: warning: " + loss);
 
   const Interrupt interrupt(Patience::full);
   Result<Rendering> rendering;

@@ -3,6 +3,7 @@
 
 #include "support/catch.h"
 #include "trace/paths.h"
+#include "trace/photon_limits.h"
 #include "trace/photon_scenes.h"
 
 #include <algorithm>
@@ -200,6 +201,35 @@ TEST_CASE("a background lights a floor beside which there is nothing") {
   scene.background = Rgbd(2.0);
   scene = looking(scene, {0, 0, 2}, {3, 0, -3});
   CHECK(mean_of_pictures(scene, 4, 4, 1, 2).mean == Approx(1));
+}
+
+TEST_CASE("what photons leave out is said by the names of the objects") {
+  Scene scene = by_photons({}, 1000, 50);
+  Cylinder<double> tube;
+  tube.z_min = -1, tube.z_max = 1;
+  const Polygon<double> dented{{{0, 0, 0}, {2, 0, 0}, {0.5, 0.5, 0}, {0, 2, 0}}, {}};
+  Prism<double> star;
+  star.corners = {{0, 0}, {2, 0}, {0.5, 0.5}, {0, 2}};
+  scene.objects = {{"Ball", Sphere<double>{}, matt(0, 1)},
+                   {"Box", Box<double>{}, matt(0.5, 1)},
+                   {"Tube", tube, matt(0, 1)},
+                   {"Dented", dented, matt(0, 1)},
+                   {"Star", star, matt(0, 1)},
+                   {"Moving", Sphere<double>{}, matt(0, 1)},
+                   {"Floor", Plane<double>{}, matt(0.5)}};
+  scene.objects[5].motion = {{0, {0, 0, 0}}, {1, {1, 0, 0}}};
+  scene.camera.shutter_close = 1;
+  scene.render.samples = 4;
+  const auto names = [&] {
+    std::string all;
+    for (const std::string& loss : photon_losses(scene)) all += loss.substr(0, loss.find(' ')) + " ";
+    return all;
+  };
+  CHECK(names() == "\"Tube\" \"Dented\" \"Star\" \"Moving\" ");
+  scene.background = Rgbd(1.0);
+  CHECK(names() == "\"Tube\" \"Dented\" \"Star\" \"Moving\" \"Floor\" ");
+  scene.render.integrator = Integrator::path;
+  CHECK(names().empty());
 }
 
 TEST_CASE("where nothing shines no photon is sent, and sending can be cancelled") {
