@@ -39,7 +39,12 @@ auto PhotonTracer<Policy>::emit_photon() -> PhotonRay {
   for (std::uint32_t i = 0; i < PhotonLights<T>::draws; ++i) u[i] = random_unit<T>(key_at(0, i));
   statistics_.drew(Effect::indirect_light, PhotonLights<T>::draws);
   const EmittedPhoton<T> emitted = lights_.emit(u);
-  const raywalk::Ray<T> ray{emitted.origin, emitted.direction, emitted.departure, camera_.shutter_open()};
+  T time = camera_.shutter_open();
+  if (camera_.moves()) {
+    time = camera_.time_after(random_unit<T>(key_at(0, 0, Effect::motion_blur)));
+    statistics_.drew(Effect::motion_blur, 1);
+  }
+  const raywalk::Ray<T> ray{emitted.origin, emitted.direction, emitted.departure, time};
   PhotonRay photon{
       Ray{ray},    emitted.power * (1 / static_cast<T>(settings_.count)), 1, rays_formed_++, PhotonHistory::direct,
       emitted.lamp};

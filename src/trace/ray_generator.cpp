@@ -27,7 +27,7 @@ Ray<T> RayGenerator<T>::sampled_ray(const Pixel& pixel, Vec2<T> place, PixelDraw
   if (moves_) {
     const T share = draw<T>(sampler_, key(pixel, Effect::motion_blur), count());
     statistics.drew(Effect::motion_blur, 1);
-    time = shutter_open_ + share * (shutter_close_ - shutter_open_);
+    time = time_after(share);
   }
   return {origin, direction, {}, time};
 }

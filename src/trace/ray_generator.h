@@ -147,6 +147,9 @@ class RayGenerator {
   [[nodiscard]] const Sampling& sampling() const { return sampling_; }
   [[nodiscard]] Sampler sampler() const { return sampler_; }
   [[nodiscard]] T shutter_open() const { return shutter_open_; }
+  /// Whether something moves while the shutter is open, and the time at which this share of that is over.
+  [[nodiscard]] bool moves() const { return moves_; }
+  [[nodiscard]] T time_after(T share) const { return shutter_open_ + share * (shutter_close_ - shutter_open_); }
   /// The stratification of the samples of a pixel.
   [[nodiscard]] const Strata& strata() const { return strata_; }
   [[nodiscard]] std::uint32_t count() const { return strata_.count(); }

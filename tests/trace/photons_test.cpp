@@ -203,6 +203,25 @@ TEST_CASE("a background lights a floor beside which there is nothing") {
   CHECK(mean_of_pictures(scene, 4, 4, 1, 2).mean == Approx(1));
 }
 
+TEST_CASE("photons fly all the time that the shutter is open: a shadow that moves is everywhere on its way") {
+  Scene scene = by_photons({}, 20000, 50);
+  scene.objects = {{"Floor", Box<double>{{-1, -1, -1}, {1, 1, 0}}, matt(0.5)},
+                   {"Shade", Box<double>{{-1, -1, 1}, {0, 1, 2}}, matt(0)}};
+  scene.objects[1].motion = {{0, {0, 0, 0}}, {1, {1, 0, 0}}};
+  scene.lights = {{"Sun", Rgbd(1.0), DirectionalLight{{0, 0, 1}}}};
+  scene.render.photons.gather = true;  // photons straight from the sun are kept
+  const World<double> world(scene);
+  const Emitters<double> emitters(world);
+  PhotonKernel<double> kernel(scene, world, emitters, photon_settings_of(scene));
+  static_cast<void>(kernel.send(1, 0, 1));
+  double left = 0, right = 0;
+  for (const Photon& photon : kernel.maps()[0].other.photons())
+    (photon.position.x < 0 ? left : right) += static_cast<double>(photon.power.x);
+  // pi over each half, of which half is in the shade on average.
+  CHECK(left == Approx(pi).epsilon(0.05));
+  CHECK(right == Approx(pi).epsilon(0.05));
+}
+
 TEST_CASE("what photons leave out is said by the names of the objects") {
   Scene scene = by_photons({}, 1000, 50);
   Cylinder<double> tube;
