@@ -136,7 +136,7 @@ MemoryNeed needed(const Scene& scene, const RenderSettings& settings) {
   const double all = shapes + triangles + copies + picture + photons;
   if (most == photons && photons > 0)
     return {fmt::format("a map of {} photons", scene.render.photons.count), all,
-            "send fewer photons, or let every sample send its own: photons = { progressive = true }"};
+            "send fewer photons: with photons = { progressive = true } every sample sends that many again"};
   if (most == picture)
     return {fmt::format("a picture of {} x {} pixels", size.width, size.height), all, "choose a smaller --size"};
   return {most == shapes   ? with_structure(census.shapes, "shapes")

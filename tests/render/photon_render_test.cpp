@@ -120,6 +120,7 @@ TEST_CASE("photons: the memory that they need is told, where they are sent") {
   settings.size = ImageSize{4, 4};
   CHECK_THAT(memory_needed(scene, settings).what, contains("a map of 100000000 photons"));
   CHECK(memory_needed(scene, settings).bytes > 1e9);
+  CHECK_THAT(memory_needed(scene, settings).hint, contains("fewer photons") && contains("that many again"));
   scene.render.integrator = Integrator::whitted;
   CHECK(memory_needed(scene, settings).bytes < 1e6);
 }
