@@ -209,7 +209,7 @@ Patches::Patches(const Scene& scene, const PatchSettings& settings, const Stop& 
   const auto faces_something = [&](const Patch& side) {
     if (from_afar) return true;
     for (const World<double>::Light& light : world.lights)
-      if (in_front(side, light.place)) return true;
+      if (in_front(side, light.place + light.reach * side.normal)) return true;  // the farthest part of its extent
     for (const Patch& other : cut.patches)
       for (const Vec3d& corner : other.outline())
         if (in_front(side, corner)) return true;

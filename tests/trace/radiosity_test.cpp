@@ -271,6 +271,18 @@ TEST_CASE("a lamp's light arrives once: straight, and what bounces as often as i
   CHECK(dark == 200);
 }
 
+TEST_CASE("a lamp with an extent lights the side that only some of it is in front of") {
+  Scene scene = of({{"Floor", Box<double>{{-2, -2, -0.01}, {2, 2, 0}}, matt(0.5)}});
+  for (const double z : {-0.05, 0.0}) {
+    scene.lights = {{"Lamp", Rgbd(1.0), SphereLight{{0, 0, z}, 0.5, 1, {0, 0, 1}}}};
+    const Patches patches(scene, PatchSettings{4, false});
+    const auto upper = std::find_if(patches.all().begin(), patches.all().end(),
+                                    [](const Patch& patch) { return !patch.inner && patch.normal.z > 0.9; });
+    REQUIRE(upper != patches.all().end());
+    CHECK(patches.light_of_lamps(static_cast<int>(upper - patches.all().begin())).x > 0.1);
+  }
+}
+
 TEST_CASE("in a furnace every pixel is E / (1 - rho), in the plane and in space, in float and double") {
   Scene furnace = of({{"Room", Box<double>{{-1, -2, -1}, {3, 1, 1}}, matt(0.6, 0.3)}});
   furnace.camera.eye = {0, 0, 0};
