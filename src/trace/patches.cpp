@@ -164,18 +164,10 @@ Patches::Patches(const Scene& scene, const PatchSettings& settings, const Stop& 
   for (std::size_t i = 0; i < cut.patches.size(); ++i) {
     Patch& patch = cut.patches[i];
     const World<double>::Surface& surface = world.surface(patch.primitive);
-    const SurfacePoint<double> at{patch.centre, patch.normal};
     patch.face = static_cast<int>(i);
-    SurfaceValues<double> its = surface;
-    if (const SurfaceMaps<double>* maps = world.maps(surface)) {
-      auto mixture = maps->at(primitives.uv_at(patch.primitive, at, patch.part));
-      texture(mixture.first.diffuse, surface, primitives, patch.primitive, at, patch.part);
-      its = maps->mixed(mixture);
-    } else {
-      texture(its.diffuse, surface, primitives, patch.primitive, at, patch.part);
-    }
-    patch.emission = cosines() * its.emission;
-    patch.reflectance = its.diffuse;
+    const auto [emission, reflectance] = mean_colours(patch, surface);
+    patch.emission = cosines() * emission;
+    patch.reflectance = reflectance;
     Polygon<double> polygon;
     polygon.outline.assign(patch.corner.begin(), patch.corner.begin() + patch.corners);
     pieces.add(Shape<double>(std::move(polygon)));
@@ -223,6 +215,31 @@ Patches::Patches(const Scene& scene, const PatchSettings& settings, const Stop& 
     if (faces_something(back)) patches_.push_back(back);
   }
   find_neighbours();
+}
+
+/// What a patch emits and reflects, averaged over it: with its light is sent what its pattern has on average.
+Patches::Colours Patches::mean_colours(const Patch& patch, const World<double>::Surface& surface) const {
+  const SurfaceMaps<double>* maps = world_->maps(surface);
+  if (maps == nullptr && !surface.checker && !surface.texture) return {surface.emission, surface.diffuse};
+  const Primitives<double>& primitives = world_->accelerator.primitives();
+  // Spread evenly, but not in rows, which a pattern may be in step with: M. Roberts' sequence for two dimensions.
+  constexpr int points = 1024;
+  constexpr double right = 0.7548776662466927, up = 0.5698402909980532;
+  Colours sum{Rgbd(0.0), Rgbd(0.0)};
+  for (int k = 0; k < points; ++k) {
+    const double u = 0.5 + k * right, v = 0.5 + k * up;
+    const SurfacePoint<double> at{point_on(patch, u - std::floor(u), v - std::floor(v)), patch.normal};
+    SurfaceValues<double> its = surface;
+    if (maps != nullptr) {
+      auto mixture = maps->at(primitives.uv_at(patch.primitive, at, patch.part));
+      texture(mixture.first.diffuse, surface, primitives, patch.primitive, at, patch.part);
+      its = maps->mixed(mixture);
+    } else {
+      texture(its.diffuse, surface, primitives, patch.primitive, at, patch.part);
+    }
+    sum.emission += its.emission, sum.reflectance += its.diffuse;
+  }
+  return {sum.emission / static_cast<double>(points), sum.reflectance / static_cast<double>(points)};
 }
 
 /// Which patches meet at each corner: of the same primitive, on the same side, and turned by less than about a right

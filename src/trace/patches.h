@@ -122,6 +122,10 @@ class Patches {
   }
 
  private:
+  struct Colours {
+    Rgbd emission, reflectance;
+  };
+  [[nodiscard]] Colours mean_colours(const Patch& patch, const World<double>::Surface& surface) const;
   void find_neighbours();
   /// Of the light between two surfaces: pairs of points, each as important as it is for the form factor.
   struct VisibleShare {

@@ -108,6 +108,17 @@ TEST_CASE("in the plane patches are the edges, and light leaves them outwards") 
   }
 }
 
+TEST_CASE("a patch reflects what its pattern does on average") {
+  for (const double size : {1.0 / 6, 1.0 / 16}) {
+    Scene scene = of({{"Floor", Polygon<double>{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {}}, matt(0.8)},
+                      {"Piece", Triangle<double>{{0, 0, 1}, {1, 0, 1}, {0, 1, 1}}, matt(0.8)}});
+    for (Object& object : scene.objects) object.material.checker = Checker{Rgbd(1.0), Rgbd(0.0), size};
+    const Patches patches(scene, PatchSettings{2, false});
+    for (const Patch& patch : patches.all()) CHECK(patch.reflectance.x == Approx(0.4).epsilon(0.08));
+    CHECK(patches.size() >= 2);
+  }
+}
+
 TEST_CASE("sides that no light reaches are left out") {
   // Walls of a room: their outsides face nothing, and nothing is inside of them.
   const Material plain = matt(0.5);
