@@ -14,6 +14,9 @@ namespace raywalk {
 
 namespace {
 
+/// Rounding does not lift out of a plane what lies in it.
+constexpr double nothing = 1e-9;
+
 /// Calls use(object, shape) with each shape of an object, those of a group too.
 template <class Use>
 void for_each_shape(const Object& object, const Use& use) {
@@ -41,8 +44,27 @@ Patch other_side(const Patch& front) {
   return back;
 }
 
-/// Rounding does not lift out of a plane what lies in it.
-constexpr double nothing = 1e-9;
+bool is_round(const Shape<double>& shape) {
+  return std::visit([](const auto& its) { return requires { its.radius; } || requires { its.radii; }; }, shape);
+}
+
+/// How much larger each primitive is than its patches together, by cutting it more finely: those of round ones are
+/// inscribed.
+std::vector<double> bulges_of(const World<double>& world, const CutScene& cut, CutSettings settings, const Stop& stop) {
+  const auto areas_of = [&](const CutScene& each) {
+    std::vector<double> areas(each.closed.size(), 0);
+    for (const Patch& patch : each.patches) areas[static_cast<std::size_t>(patch.primitive)] += patch.area;
+    return areas;
+  };
+  settings.size /= 4, settings.least_sides *= 8, settings.most *= 64;
+  const std::vector<double> own = areas_of(cut);
+  std::vector<double> bulges = areas_of(cut_into_patches(world, settings, stop));
+  for (std::size_t id = 0; id < bulges.size(); ++id) {
+    bulges[id] /= own[id];
+    if (!(bulges[id] > 1 + nothing)) bulges[id] = 1;
+  }
+  return bulges;
+}
 
 }  // namespace
 
@@ -154,7 +176,8 @@ Patches::Patches(const Scene& scene, const PatchSettings& settings, const Stop& 
   world_.emplace(scene, AcceleratorKind::none, std::nullopt, BuildOptions{stop});
   const World<double>& world = *world_;
   const double size = std::isinf(settings.size) ? share_of_extent * extent_of(world) : settings.size;
-  CutScene cut = cut_into_patches(world, {.size = size, .most = most, .flat = flat_}, stop);
+  const CutSettings how{.size = size, .most = most, .flat = flat_};
+  CutScene cut = cut_into_patches(world, how, stop);
   if (static_cast<int>(cut.patches.size()) > most) {
     too_many_ = true;
     return;
@@ -207,12 +230,21 @@ Patches::Patches(const Scene& scene, const PatchSettings& settings, const Stop& 
         if (in_front(side, corner)) return true;
     return false;
   };
-  for (const Patch& front : cut.patches) {
+  const bool any_round = std::any_of(cut.patches.begin(), cut.patches.end(), [&](const Patch& patch) {
+    return !is_black(patch.emission) && is_round(primitives.shape(patch.primitive));
+  });
+  const std::vector<double> bulges =
+      any_round ? bulges_of(world, cut, how, stop) : std::vector<double>(cut.closed.size(), 1);
+  for (Patch& front : cut.patches) {
     stop.check();
+    const auto id = static_cast<std::size_t>(front.primitive);
+    Patch back = other_side(front);
+    // What glows sends as much as if its patches did not lie within it; but into its inside, which they close as it
+    // does.
+    front.emission *= bulges[id];
+    if (!cut.closed[id]) back.emission *= bulges[id];
     if (faces_something(front)) patches_.push_back(front);
-    if (!lit_inside[static_cast<std::size_t>(front.primitive)]) continue;
-    const Patch back = other_side(front);
-    if (faces_something(back)) patches_.push_back(back);
+    if (lit_inside[id] && faces_something(back)) patches_.push_back(back);
   }
   find_neighbours();
 }

@@ -282,6 +282,17 @@ TEST_CASE("a lamp's light arrives once: straight, and what bounces as often as i
   CHECK(dark == 200);
 }
 
+TEST_CASE("a ball that glows sends as much light as its own area does, outwards") {
+  Scene scene = of({{"Ball", Sphere<double>{{5, 0, 0}, 2}, matt(0, 1)}});
+  scene.lights = {{"Sun", Rgbd(1.0), DirectionalLight{{0, 0, 1}}}};  // all sides are kept
+  for (const bool flat : {false, true}) {
+    const Patches patches(scene, PatchSettings{4, flat});
+    double power = 0;
+    for (const Patch& patch : patches.all()) power += patch.inner ? 0 : patch.area * patch.emission.x;
+    CHECK(power == Approx(flat ? 2 * 2 * pi * 2 : pi * 4 * pi * 4).epsilon(1e-3));
+  }
+}
+
 TEST_CASE("a lamp with an extent lights the side that only some of it is in front of") {
   Scene scene = of({{"Floor", Box<double>{{-2, -2, -0.01}, {2, 2, 0}}, matt(0.5)}});
   for (const double z : {-0.05, 0.0}) {
