@@ -274,6 +274,39 @@ Patches::Colours Patches::mean_colours(const Patch& patch, const World<double>::
   return {sum.emission / static_cast<double>(points), sum.reflectance / static_cast<double>(points)};
 }
 
+PatchGrid::PatchGrid(const std::vector<Patch>& patches, const std::vector<int>& of) {
+  const auto box_of = [&](int i) {
+    Bounds<double> box;
+    for (const Vec3d& corner : patches[static_cast<std::size_t>(i)].outline()) box.include(corner);
+    return box;
+  };
+  for (const int i : of) {
+    const Bounds<double> box = box_of(i);
+    const Vec3d sides = box.max - box.min;
+    cell_ = std::max({cell_, sides.x, sides.y, sides.z});
+  }
+  const Vec3d around(1e-3 * cell_);
+  for (const int i : of) {
+    const Bounds<double> box = box_of(i);
+    const Cell low = cell_of(box.min - around), high = cell_of(box.max + around);
+    for (auto x = low[0]; x <= high[0]; ++x)
+      for (auto y = low[1]; y <= high[1]; ++y)
+        for (auto z = low[2]; z <= high[2]; ++z) cells_[{x, y, z}].push_back(i);
+  }
+}
+
+PatchGrid::Cell PatchGrid::cell_of(const Vec3d& point) const {
+  const auto along = [&](double at) { return static_cast<std::int64_t>(std::floor(at / cell_)); };
+  return {along(point.x), along(point.y), along(point.z)};
+}
+
+const std::vector<int>& PatchGrid::near(const Vec3d& point) const {
+  static const std::vector<int> none;
+  if (cells_.empty()) return none;
+  const auto found = cells_.find(cell_of(point));
+  return found == cells_.end() ? none : found->second;
+}
+
 /// Which patches meet at each corner: of the same primitive, on the same side, and turned by less than about a right
 /// angle's half.
 void Patches::find_neighbours() {
@@ -282,6 +315,8 @@ void Patches::find_neighbours() {
   for (const Patch& patch : patches_) primitives = std::max(primitives, patch.primitive + 1);
   by_primitive_.resize(static_cast<std::size_t>(primitives));
   for (int i = 0; i < size(); ++i) by_primitive_[static_cast<std::size_t>((*this)[i].primitive)].push_back(i);
+  grids_.reserve(by_primitive_.size());
+  for (const std::vector<int>& same : by_primitive_) grids_.emplace_back(patches_, same);
   about_.resize(patches_.size());
   for (const std::vector<int>& same : by_primitive_)
     for (const int i : same) {
@@ -289,7 +324,7 @@ void Patches::find_neighbours() {
       const double near = 1e-6 * std::sqrt(patch.area);
       for (int c = 0; c < patch.corners; ++c) {
         const Vec3d& corner = patch.corner[static_cast<std::size_t>(c)];
-        for (const int j : same) {
+        for (const int j : grids_[static_cast<std::size_t>(patch.primitive)].near(corner)) {
           const Patch& other = (*this)[j];
           if (!(dot(patch.normal, other.normal) > smooth)) continue;
           if (std::abs(dot(corner - other.centre, other.normal)) > near || inside_by(other, corner) < -near) continue;
@@ -321,15 +356,22 @@ Patches::Place Patches::place_of(int primitive, const Vec3d& position, const Vec
   Place place;
   if (primitive >= static_cast<int>(by_primitive_.size())) return place;
   double best = -infinity<double>;
-  for (const int i : by_primitive_[static_cast<std::size_t>(primitive)]) {
-    const Patch& patch = (*this)[i];
-    const double turned = dot(patch.normal, normal);
-    if (!(turned > 0.3)) continue;
-    // On the other faces of the body it would lie far off.
-    const double off = std::abs(dot(position - patch.centre, patch.normal));
-    const double inside = std::min(inside_by(patch, position), 0.0) - off - (1 - turned) * std::sqrt(patch.area);
-    if (inside > best) best = inside, place.patch = i;
-  }
+  const auto take_best_of = [&](const std::vector<int>& some) {
+    best = -infinity<double>;
+    for (const int i : some) {
+      const Patch& patch = (*this)[i];
+      const double turned = dot(patch.normal, normal);
+      if (!(turned > 0.3)) continue;
+      // On the other faces of the body it would lie far off.
+      const double off = std::abs(dot(position - patch.centre, patch.normal));
+      const double inside = std::min(inside_by(patch, position), 0.0) - off - (1 - turned) * std::sqrt(patch.area);
+      if (inside > best) best = inside, place.patch = i;
+    }
+  };
+  const PatchGrid& grid = grids_[static_cast<std::size_t>(primitive)];
+  take_best_of(grid.near(position));
+  // Of a flat surface it lies in one of these. A curved one bulges out of its patches, and all of them are asked.
+  if (!(best > -nothing * grid.cell())) take_best_of(by_primitive_[static_cast<std::size_t>(primitive)]);
   if (place.patch < 0) return place;
   const Patch& patch = (*this)[place.patch];
   if (flat_) {

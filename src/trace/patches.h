@@ -17,6 +17,8 @@
 #include "trace/world.h"
 
 #include <array>
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -70,6 +72,21 @@ struct Exchange {
 [[nodiscard]] std::optional<Error> why_no_patches(const Scene& scene, const Stop& stop = {});
 /// What of a scene patches leave out, a sentence each, by the names of the objects.
 [[nodiscard]] std::vector<std::string> patch_losses(const Scene& scene);
+
+/// Some patches, by the cells of a grid that they reach into. None of them is larger than a cell.
+class PatchGrid {
+ public:
+  PatchGrid(const std::vector<Patch>& patches, const std::vector<int>& of);
+  /// Ascending if they were; all that the point lies in, and none that it is farther from than two cells.
+  [[nodiscard]] const std::vector<int>& near(const Vec3d& point) const;
+  [[nodiscard]] double cell() const { return cell_; }
+
+ private:
+  using Cell = std::array<std::int64_t, 3>;
+  [[nodiscard]] Cell cell_of(const Vec3d& point) const;
+  double cell_ = 0;
+  std::map<Cell, std::vector<int>> cells_;
+};
 
 /// All patches of a scene, and what they see of each other. Its answers do not depend on how it is asked.
 class Patches {
@@ -155,6 +172,7 @@ class Patches {
   std::optional<Accelerator<double>> occluders_;
   std::vector<std::vector<int>> by_primitive_;
   std::vector<std::array<std::vector<int>, 4>> about_;
+  std::vector<PatchGrid> grids_;  ///< by primitive
 };
 
 }  // namespace raywalk
