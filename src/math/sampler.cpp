@@ -106,11 +106,11 @@ std::uint32_t owen_scrambled(std::uint32_t digits, std::uint32_t seed) {
   return digits;
 }
 
-/// The second coordinate's digits from the index, both with the first at bit 0: digit j is the sum of those index bits i
-/// for which the binomial (i over j) is odd. That is Sobol' with S. Joe and F. Kuo's direction numbers (2008) of the
-/// polynomial x + 1 with m = 1. By E. Lucas (1878) the binomial is odd where the bits of j are among those of i, so that
-/// one bit of i at a time will do (A. Ahmed, "An Implementation Algorithm of 2D Sobol Sequence", EGSR 2024). The first
-/// coordinate's digits are the index itself.
+/// The second coordinate's digits from the index, both with the first at bit 0: digit j is the sum of those index bits
+/// i for which the binomial (i over j) is odd. That is Sobol' with S. Joe and F. Kuo's direction numbers (2008) of the
+/// polynomial x + 1 with m = 1. By E. Lucas (1878) the binomial is odd where the bits of j are among those of i, so
+/// that one bit of i at a time will do (A. Ahmed, "An Implementation Algorithm of 2D Sobol Sequence", EGSR 2024). The
+/// first coordinate's digits are the index itself.
 std::uint32_t second_digits(std::uint32_t index) {
   index ^= index >> 1 & 0x55555555u;
   index ^= index >> 2 & 0x33333333u;

@@ -20,7 +20,8 @@ struct WindowLine {
   double slack = 0;  ///< what is as near to 0 lies on the line: rounding may have moved it
 
   [[nodiscard]] double at(const Vec2d& place) const { return a * place.x + b * place.y + c; }
-  /// Of a line that says how near something is, as 1 / distance: towards a horizon it may be farther than a number says.
+  /// Of a line that says how near something is, as 1 / distance: towards a horizon it may be farther than a number
+  /// says.
   [[nodiscard]] double nearness(const Vec2d& place) const {
     return std::max({at(place), slack, std::numeric_limits<double>::min()});
   }

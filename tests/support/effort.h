@@ -38,7 +38,8 @@ inline constexpr bool optimized = false;
   static const bool asked = std::getenv("RAYWALK_THOROUGH") != nullptr;
   return asked;
 }
-/// Whether it is left to `./run test --all` without sanitizers: all but every `every`-th are, where neighbours are alike.
+/// Whether it is left to `./run test --all` without sanitizers: all but every `every`-th are, where neighbours are
+/// alike.
 [[nodiscard]] inline bool left_to_all(std::size_t number, std::size_t every) {
   return !sanitized && !thorough() && number % every != 0;
 }
