@@ -92,15 +92,17 @@ class KdTree {
           stack[count++] = {far, at.in, at.out};
           at.node = near;
           if constexpr (Watching<Query>) stack[count - 1].box.value = sides.value[1], at.box.value = sides.value[0];
-        } else if (t - slack > at.out || t + slack < 0) {
+        } else if (t - slack > at.out || (t < 0 && t + slack < at.in)) {
           at.node = near;
           if constexpr (Watching<Query>) query.record().skipped(sides.value[1]), at.box.value = sides.value[0];
         } else if (t + slack < at.in) {
           at.node = far;
           if constexpr (Watching<Query>) query.record().skipped(sides.value[0]), at.box.value = sides.value[1];
         } else {
-          stack[count++] = {far, std::fmax(at.in, t - slack), at.out};
-          at = {near, at.in, std::fmin(at.out, t + slack)};
+          // What lies behind may be ahead by that rounding: then it is the far child that the ray leaves there.
+          const T until = std::fmin(at.out, t + slack);
+          stack[count++] = {far, t < 0 ? at.in : std::fmax(at.in, t - slack), t < 0 ? until : at.out};
+          at = {near, at.in, t < 0 ? at.out : until};
           if constexpr (Watching<Query>) stack[count - 1].box.value = sides.value[1], at.box.value = sides.value[0];
         }
       }
