@@ -3,6 +3,7 @@
 #include "app/scene_lookup.h"
 #include "io/pov_writer.h"
 #include "text/file.h"
+#include "text/file_path.h"
 
 #include <fmt/format.h>
 

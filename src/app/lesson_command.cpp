@@ -4,6 +4,7 @@
 #include "app/texts.h"
 #include "lesson/check.h"
 #include "text/file.h"
+#include "text/file_path.h"
 #include "text/spelling.h"
 #include "view/export/lesson_script.h"
 

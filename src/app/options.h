@@ -14,8 +14,6 @@
 #include <CLI/CLI.hpp>
 
 #include <array>
-#include <cctype>
-#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -82,13 +80,6 @@ CLI::Option* add_choice(CLI::App& command, const std::string& name, Target& targ
     return "is not known (expected " + one_of(words) + ")" + (meant.empty() ? "" : "; did you mean " + meant + "?");
   };
   return add_value(command, name, target, named<Choice>, complain, fmt::format("{}", fmt::join(words, "|")), help);
-}
-
-/// The ending of a file's name in small letters, ".png".
-inline std::string ending_of(const std::string& path) {
-  std::string ending = std::filesystem::path(path).extension().string();
-  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return ending;
 }
 
 /// An option that names a file or a folder. An empty name, as from an unset shell variable, does not mean absent; and

@@ -5,6 +5,7 @@
 #include "math/random.h"
 #include "shape/intersection.h"
 #include "text/file.h"
+#include "text/file_path.h"
 
 #include <fmt/format.h>
 
@@ -13,7 +14,6 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <filesystem>
 #include <iterator>
 #include <numbers>
 
@@ -285,13 +285,6 @@ void write_nff(const BumpyBall& ball, Sink& sink, SceneSink& scene) {
     }
     sink.print("\n");
   }
-}
-
-std::string ending_of(const std::string& path) {
-  std::string ending = std::filesystem::path(path).extension().string();
-  for (char& c : ending)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return ending;
 }
 
 std::int64_t size_of(const GenerateOptions& options) {

@@ -13,6 +13,13 @@ namespace raywalk {
 
 namespace fs = std::filesystem;
 
+std::string ending_of(const std::string& path) {
+  std::string ending = fs::path(path).extension().string();
+  for (char& c : ending)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return ending;
+}
+
 std::string absolute_path(const std::string& path) {
   std::error_code failed;
   const fs::path whole = fs::absolute(path, failed);

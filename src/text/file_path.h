@@ -11,6 +11,8 @@ namespace raywalk {
 
 /// The same file by a path that leads to it from every working folder, such as a later session's.
 [[nodiscard]] std::string absolute_path(const std::string& path);
+/// The ending of a file's name in small letters, ".png"; empty if it has none.
+[[nodiscard]] std::string ending_of(const std::string& path);
 
 }  // namespace raywalk
 
