@@ -41,6 +41,11 @@ std::optional<Error> why_too_large(ImageSize size) {
       "choose a smaller size with --size"};
 }
 
+/// Says what this picture will lack.
+void warn_of_losses(const std::vector<std::string>& losses) {
+  for (const std::string& loss : collected(losses)) note("raywalk render: warning: " + loss);
+}
+
 /// A partial image is written to a separate file: the old image stays intact.
 ExitCode keep_partial(const RenderOptions& options, const Rendering& rendering, Encoding encoding) {
   const std::string interrupted = fmt::format("interrupted with {:.1f}% done", rendering.done * 100);
@@ -190,12 +195,11 @@ ExitCode render_command(const RenderOptions& options) {
   if (options.statistics)
     if (const auto claimed = claim_output(*options.statistics); !claimed) return fail(claimed.error());
   if (!options.quiet) warn(idle_options("render", options, scene));
-  if (!options.quiet && cuts_patches(scene))
-    for (const std::string& loss : collected(patch_losses(scene))) note("raywalk render: warning: " + loss);
-  if (!options.quiet)
-    for (const std::string& loss : collected(dipole_losses(scene))) note("raywalk render: warning: " + loss);
-  if (!options.quiet)
-    for (const std::string& loss : collected(photon_losses(scene))) note("raywalk render: warning: " + loss);
+  if (!options.quiet) {
+    if (cuts_patches(scene)) warn_of_losses(patch_losses(scene));
+    warn_of_losses(dipole_losses(scene));
+    warn_of_losses(photon_losses(scene));
+  }
 
   const Interrupt interrupt(Patience::full);
   Result<Rendering> rendering;

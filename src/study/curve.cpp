@@ -71,9 +71,12 @@ Estimate ErrorCurve::exponent(double low, double high) const {
 PlotSeries ErrorCurve::series(const std::string& name, const TrialValue& x) const {
   PlotSeries series{name, {}};
   for (std::size_t i = 0; i < knobs_.size(); ++i) {
-    std::vector<double> xs;
-    for (const Trial& trial : trials_[i]) xs.push_back(x ? x(trial) : knobs_[i]);
-    const double at_x = median(std::move(xs));
+    double at_x = knobs_[i];
+    if (x) {
+      std::vector<double> xs;
+      for (const Trial& trial : trials_[i]) xs.push_back(x(trial));
+      at_x = median(std::move(xs));
+    }
     if (pool_ == Pool::median) {
       const Interval reach = median_interval(values_[i]);
       series.points.push_back({at_x, median(values_[i]), reach.low, reach.high});
