@@ -16,13 +16,14 @@ EM_JS(int, raywalk_show_notes, (const char* html, const char* css, int opens), {
   if (opens) Module["notes"] = window.open("", "raywalk-notes");
   const tab = Module["notes"];
   if (!tab || tab.closed) return 0;
-  const text = UTF8ToString(html);
+  const text = UTF8ToString(html), style = UTF8ToString(css), shown = style + text;
   try {
-    if (Module["notesShown"] !== text || opens) {
-      tab.document.body.innerHTML = Module["notesShown"] = text;
+    if (Module["notesShown"] !== shown || opens) {
+      Module["notesShown"] = shown;
+      tab.document.body.innerHTML = text;
       // The page's policy is the tab's too: it lets scripts style it, but no <style>.
       const sheet = new tab.CSSStyleSheet();
-      sheet.replaceSync(UTF8ToString(css));
+      sheet.replaceSync(style);
       tab.document.adoptedStyleSheets = [sheet];
     }
   } catch (why) { // the user has gone elsewhere in it
