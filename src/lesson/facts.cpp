@@ -38,8 +38,10 @@ Outcome Facts::name(std::string_view name) const {
   const std::size_t dot = name.find('.');
   const std::string_view first = name.substr(0, dot);
   const std::string_view rest = dot == std::string_view::npos ? "" : name.substr(dot + 1);
-  if (const auto picture = step().pictures.find(first); picture != step().pictures.end())
-    return of_picture(picture->second, rest);
+  if (const auto picture = step().pictures.find(first); picture != step().pictures.end()) {
+    const Result<Rendering>& rendering = picture->second->rendering();
+    return rendering ? of_picture(*rendering, rest) : wrong(rendering.error().message);
+  }
   if (first == "ray" || first == "parent") {
     int ray = timeline().current_ray(position_);
     if (ray >= 0 && first == "parent") ray = timeline().rays()[static_cast<std::size_t>(ray)].parent;
@@ -176,16 +178,24 @@ Outcome Facts::gather(std::string_view function, const std::vector<Expression>& 
   return kept;
 }
 
+/// Null if the step has no such picture, or it cannot be rendered.
+const Rendering* Facts::rendering_of(std::string_view picture) const {
+  const auto found = step().pictures.find(picture);
+  if (found == step().pictures.end()) return nullptr;
+  const Result<Rendering>& rendering = found->second->rendering();
+  return rendering ? &*rendering : nullptr;
+}
+
 Outcome Facts::of_pictures(std::string_view function, const std::vector<Expression>& arguments) const {
   std::vector<const Film<double>*> films;
   for (const Expression& argument : arguments) {
     const Outcome name = argument.evaluate(*this);
     if (!name) return name;
     const std::string* text = std::get_if<std::string>(&*name);
-    const auto picture = text == nullptr ? step().pictures.end() : step().pictures.find(*text);
-    if (picture == step().pictures.end())
+    const Rendering* picture = text == nullptr ? nullptr : rendering_of(*text);
+    if (picture == nullptr)
       return wrong(fmt::format("{} takes the names of two pictures of the step, in quotes", function));
-    films.push_back(&picture->second.film_of<double>());
+    films.push_back(&picture->film_of<double>());
   }
   if (films.size() != 2 || !(films[0]->size() == films[1]->size()))
     return wrong(fmt::format("{} takes two pictures of one size", function));
@@ -207,9 +217,9 @@ Outcome Facts::of_pixel(const std::vector<Expression>& arguments) const {
   if (values.size() == 3) {
     const auto* name = std::get_if<std::string>(&values[0]);
     const auto *column = std::get_if<double>(&values[1]), *row = std::get_if<double>(&values[2]);
-    const auto picture = name == nullptr ? step().pictures.end() : step().pictures.find(*name);
-    if (picture != step().pictures.end() && column != nullptr && row != nullptr) {
-      const auto& film = picture->second.film_of<double>();
+    const Rendering* picture = name == nullptr || column == nullptr || row == nullptr ? nullptr : rendering_of(*name);
+    if (picture != nullptr) {
+      const auto& film = picture->film_of<double>();
       if (*column >= 0 && *row >= 0 && *column < film.size().width && *row < film.size().height)
         return film.at(static_cast<int>(*column), static_cast<int>(*row));
     }

@@ -23,6 +23,7 @@ class Facts : public Scope {
   [[nodiscard]] const Timeline& timeline() const { return step().walk->timeline; }
   [[nodiscard]] const Scene& scene() const { return step().walk->document.scene; }
   [[nodiscard]] Outcome of_ray(std::string_view name, int ray) const;
+  [[nodiscard]] const Rendering* rendering_of(std::string_view picture) const;
   [[nodiscard]] Outcome of_picture(const Rendering& picture, std::string_view name) const;
   [[nodiscard]] Outcome gather(std::string_view function, const std::vector<Expression>& arguments) const;
   [[nodiscard]] Outcome of_pictures(std::string_view function, const std::vector<Expression>& arguments) const;

@@ -18,8 +18,8 @@ namespace {
 
 class Player {
  public:
-  Player(PlayedLesson& to, const std::string& scenes_folder, Pictures pictures)
-      : to_(to), lesson_(*to.lesson), scenes_folder_(scenes_folder), pictures_(pictures) {}
+  Player(PlayedLesson& to, const std::string& scenes_folder, Playing playing)
+      : to_(to), lesson_(*to.lesson), scenes_folder_(scenes_folder), playing_(playing) {}
   /// Plays again what `first` played, with other random numbers.
   Player(PlayedLesson& to, const std::string& scenes_folder, const PlayedLesson& first, std::uint64_t seed)
       : to_(to), lesson_(*to.lesson), scenes_folder_(scenes_folder), first_(&first), seed_(seed) {}
@@ -29,19 +29,20 @@ class Player {
       if (!stage(step)) return;
       to_.steps.push_back({&step, walk_, position_, position_, {}});
       to_.steps.back().random = draws_random(integrator_of(document_.scene));
-      if (!render_pictures(step) || !move(step)) {
+      if (!take_pictures(step) || !move(step)) {
         to_.steps.pop_back();
         return;
       }
-      if (first_ == nullptr) verify_all(step);
+      if (verifies()) verify_all(step);
       position_ = to_.steps.back().shown;
     }
-    if (first_ == nullptr)
+    if (verifies())
       for (const Saying& saying : lesson_.says)
         for (const Formula& claim : saying.claims) verify(claim);
   }
 
  private:
+  [[nodiscard]] bool verifies() const { return first_ == nullptr && playing_ == Playing::to_check; }
   [[nodiscard]] std::string file() const { return lesson_.folder + "/lesson.toml"; }
   void fail(int line, std::string message, std::string hint = "") {
     to_.errors.push_back({file(), line, 0, std::move(message), std::move(hint)});
@@ -111,8 +112,7 @@ class Player {
     return true;
   }
 
-  bool render_pictures(const LessonStep& step) {
-    if (pictures_ == Pictures::leave_out) return true;
+  bool take_pictures(const LessonStep& step) {
     for (const PictureRequest& request : step.pictures) {
       Scene scene = document_.scene;
       if (!request.changes.empty()) {
@@ -121,8 +121,8 @@ class Player {
         scene = changed->scene;
       }
       if (first_ != nullptr) {
-        const Rendering& before = first_->steps[to_.steps.size() - 1].pictures.find(request.name)->second;
-        if (request.seed || before.statistics.random_draws() == 0) {
+        const auto& before = first_->steps[to_.steps.size() - 1].pictures.find(request.name)->second;
+        if (request.seed || before->rendering()->statistics.random_draws() == 0) {
           to_.steps.back().pictures.insert_or_assign(request.name, before);
           continue;
         }
@@ -132,10 +132,12 @@ class Player {
       settings.sampling.per_pixel = request.samples;
       settings.sampling.seed = request.seed.value_or(seed_);
       settings.accelerator = request.accelerator;
-      auto picture = render(scene, settings);
-      if (!picture) return fail(picture.error(), request.line);
-      if (picture->statistics.random_draws() > 0 && !request.seed) to_.steps.back().random = true;
-      to_.steps.back().pictures.insert_or_assign(request.name, std::move(*picture));
+      const auto picture = std::make_shared<const StepPicture>(std::move(scene), settings);
+      to_.steps.back().pictures.insert_or_assign(request.name, picture);
+      if (playing_ == Playing::to_show) continue;
+      const Result<Rendering>& rendering = picture->rendering();
+      if (!rendering) return fail(rendering.error(), request.line);
+      if (rendering->statistics.random_draws() > 0 && !request.seed) to_.steps.back().random = true;
     }
     return true;
   }
@@ -262,7 +264,7 @@ class Player {
   PlayedLesson& to_;
   const Lesson& lesson_;
   const std::string& scenes_folder_;
-  Pictures pictures_ = Pictures::render;
+  Playing playing_ = Playing::to_check;
   SceneDocument document_;
   std::shared_ptr<LessonWalk> walk_;
   int position_ = 0;
@@ -272,10 +274,15 @@ class Player {
 
 }  // namespace
 
-PlayedLesson play_lesson(const Lesson& lesson, const std::string& scenes_folder, Pictures pictures) {
+const Result<Rendering>& StepPicture::rendering() const {
+  std::call_once(once_, [this] { rendering_ = render(scene_, settings_); });
+  return *rendering_;
+}
+
+PlayedLesson play_lesson(const Lesson& lesson, const std::string& scenes_folder, Playing playing) {
   PlayedLesson played;
   played.lesson = &lesson;
-  Player(played, scenes_folder, pictures).play();
+  Player(played, scenes_folder, playing).play();
   return played;
 }
 

@@ -9,8 +9,10 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace raywalk {
@@ -26,13 +28,27 @@ struct LessonWalk {
   std::shared_ptr<const SearchWalks> searches;  ///< if a step shows accelerators; else null
 };
 
+/// A picture of a step, rendered when its first value is asked for.
+class StepPicture {
+ public:
+  StepPicture(Scene scene, const RenderSettings& settings) : scene_(std::move(scene)), settings_(settings) {}
+  /// Renders it, if nobody has; also from several threads.
+  [[nodiscard]] const Result<Rendering>& rendering() const;
+
+ private:
+  Scene scene_;
+  RenderSettings settings_;
+  mutable std::once_flag once_;
+  mutable std::optional<Result<Rendering>> rendering_;
+};
+
 /// A step, and its place in its walk.
 struct PlayedStep {
   const LessonStep* step = nullptr;
   std::shared_ptr<const LessonWalk> walk;
   int asked = 0;  ///< position at which the student reads and predicts
   int shown = 0;  ///< position of the answer; the same if nothing is asked
-  std::map<std::string, Rendering, std::less<>> pictures;
+  std::map<std::string, std::shared_ptr<const StepPicture>, std::less<>> pictures;
   bool random = false;  ///< its walk or its pictures depend on random numbers
 };
 
@@ -43,12 +59,15 @@ struct PlayedLesson {
   std::vector<Error> errors;      ///< steps that are not reached, and claims that the trace contradicts
 };
 
-/// Whether to render the steps' pictures: not needed for showing the lesson.
-enum class Pictures { render, leave_out };
+/// What a lesson is played for.
+enum class Playing {
+  to_check,  ///< all pictures are rendered, and every claim is held to the trace
+  to_show    ///< the steps are found, and no more
+};
 
 /// Plays all steps. `scenes_folder`: of the shipped scenes.
 [[nodiscard]] PlayedLesson play_lesson(const Lesson& lesson, const std::string& scenes_folder,
-                                       Pictures pictures = Pictures::render);
+                                       Playing playing = Playing::to_check);
 
 /// The same lesson with another seed. Steps without random numbers, and pictures with their own seed, keep their
 /// pictures; nothing is verified.

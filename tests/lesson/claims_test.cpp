@@ -188,6 +188,19 @@ TEST_CASE("a claim that holds by luck fails with other seeds, and its spread is 
       test::contains("predict: another choice is right"));
 }
 
+TEST_CASE("a lesson that is shown has the values of one that is checked, and nobody judges it") {
+  const auto lesson = parse_lesson(
+      "[[step]]\nid = \"a\"\nscene = \"penumbra\"\npixel = 8\ncheck = ['drawn.rays == 0']\n" + noisy("drawn", 2), "");
+  REQUIRE(lesson);
+  const PlayedLesson shown = play_lesson(*lesson, claim_settings.scenes_folder, Playing::to_show);
+  const PlayedLesson judged = play_lesson(*lesson, claim_settings.scenes_folder);
+  CHECK(shown.errors.empty());
+  CHECK(judged.errors.size() == 1);
+  const auto rays = [](const PlayedLesson& played) { return value_at(played, 0, 0, *Expression::parse("drawn.rays")); };
+  REQUIRE(rays(judged));
+  CHECK(rays(shown) == rays(judged));
+}
+
 TEST_CASE("other seeds change what is drawn, and nothing else") {
   const std::string steps = "[[step]]\nid = \"a\"\nscene = \"penumbra\"\npixel = 8\n" + noisy("drawn", 2) +
                             noisy("kept", 2, "seed = 3\n") +
@@ -200,7 +213,7 @@ TEST_CASE("other seeds change what is drawn, and nothing else") {
   const PlayedLesson again = play_again(first, claim_settings.scenes_folder, 5);
   REQUIRE(again.steps.size() == 2);
   const auto pixels = [](const PlayedLesson& played, std::size_t step, const char* name) {
-    return played.steps[step].pictures.find(name)->second.film_of<double>().pixels();
+    return played.steps[step].pictures.find(name)->second->rendering()->film_of<double>().pixels();
   };
   CHECK(first.steps[0].random);
   CHECK_FALSE(first.steps[1].random);

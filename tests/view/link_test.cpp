@@ -318,7 +318,7 @@ TEST_CASE("opening a link asks before unsaved work is lost, and keeps it where i
 
 TEST_CASE("a link that opens nothing leaves what a lesson's scene has of changes to be asked about") {
   State state = state_with_lessons();
-  update(state, action::OpenLesson{"01-ray-casting", 0});
+  update(state, action::OpenLesson{"01-ray-casting"});
   REQUIRE(state.lessons.open);
   make_dirty(state);
   REQUIRE(state.document.dirty);

@@ -226,7 +226,7 @@ TEST_CASE("work is recovered out of the hunt and out of the lesson that a link h
     REQUIRE(next.bugs.hunt);
   }
   SECTION("a lesson") {
-    update(next, action::OpenLesson{"01-ray-casting", 0});
+    update(next, action::OpenLesson{"01-ray-casting"});
     REQUIRE(next.lessons.open);
   }
   next.document.question = asked;

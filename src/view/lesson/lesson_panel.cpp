@@ -97,8 +97,9 @@ std::optional<LessonVerdict> judge(const LessonRoom& sitting) {
     return LessonVerdict{right, right ? 0.0 : 1.0};
   }
   if (const auto* number = std::get_if<NumberQuestion>(&question)) {
+    if (!sitting.guess.number) return std::nullopt;
     const std::optional<double> truth = number_of(sitting, *number);
-    if (!truth || !sitting.guess.number) return std::nullopt;
+    if (!truth) return std::nullopt;
     return LessonVerdict{number->accepts(*sitting.guess.number, *truth), std::abs(*sitting.guess.number - *truth)};
   }
   if (std::holds_alternative<LineQuestion>(question)) {
@@ -181,10 +182,10 @@ LessonPanel lesson_panel(const State& state) {
     }
     if (answered && hands > 0) panel.hands = fill("lesson.hands", language, {{"right", hands_right}, {"all", hands}});
     if (number != nullptr) panel.unit = number->unit;
-    const std::optional<LessonVerdict> verdict = judge(sitting);
+    const std::optional<LessonVerdict> verdict = sitting.revealed ? judge(sitting) : std::nullopt;
     if (sitting.revealed && !verdict && !sitting.presenter) panel.unanswered = word("lesson.unanswered");
-    panel.can_reveal = !sitting.revealed && (verdict || sitting.unlocked || sitting.presenter);
-    if (sitting.revealed && verdict) {
+    panel.can_reveal = !sitting.revealed && (sitting.guess.any() || sitting.unlocked || sitting.presenter);
+    if (verdict) {
       panel.is_right = verdict->right;
       panel.verdict = word(verdict->right ? "lesson.right" : "lesson.wrong");
       const char mark = language.decimal_mark();

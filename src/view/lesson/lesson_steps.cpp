@@ -138,34 +138,21 @@ void stage(State& state) {
   go_to(state, step.asked);
 }
 
-/// Opens it, once unsaved work is settled; at the first unfinished step if no other is wanted.
-void begin_lesson_at(State& state, const std::string& name, std::optional<int> wanted) {
-  LessonRoom& sitting = state.lessons;
-  auto lesson = read_lesson(sitting.folder + "/" + name);
-  if (!lesson) return complain(state, lesson.error().text());
-  const Mode mode = state.walk.mode;
-  const auto opened = std::make_shared<OpenedLesson>(std::move(*lesson));
-  // Some play for seconds. Cancelled, the lesson is not opened, and what it then plays is dropped.
-  run_detached(state.document.stop,
-               [opened, folder = sitting.scenes_folder] { opened->played = play_lesson(opened->lesson, folder); });
-  if (opened->played.steps.empty())
-    return complain(state, opened->played.errors.empty() ? name : opened->played.errors.front().text());
-  forget_autosave(state);
-  if (!sitting.open && saved_scene(state) != Scene{}) {
-    // Unsaved work was asked about, and discarded.
-    sitting.own = std::make_shared<const OwnScene>(OwnScene{saved_document(state), state.document.path, mode});
-  }
-  sitting.open = opened;
-  sitting.last = name;
-  const auto done = sitting.done.find(name);
-  const int steps = static_cast<int>(opened->played.steps.size());
-  sitting.step = done == sitting.done.end() || done->second >= steps ? 0 : done->second;
-  if (wanted) sitting.step = std::clamp(*wanted, 0, steps - 1);
-  sitting.shown = true;
-  show_as_left(state);
-  stage(state);
+/// Renders the pictures that a step's answer is about: some take a second. Cancelled, nothing has changed.
+void render_pictures(const State& state, const std::shared_ptr<const OpenedLesson>& opened, int step) {
+  const auto& pictures = opened->played.steps[static_cast<std::size_t>(step)].pictures;
+  if (pictures.empty()) return;
+  run_detached(state.document.stop, [opened, &pictures] {
+    for (const auto& [name, picture] : pictures) static_cast<void>(picture->rendering());
+  });
 }
-void begin_lesson(State& state, const std::string& name) { begin_lesson_at(state, name, std::nullopt); }
+
+/// Whether a step says its answer as soon as it is reached; else a question comes first.
+bool tells_at_once(const State& state, const PlayedStep& step) {
+  return !step.step->question || state.lessons.presenter;
+}
+
+void begin_lesson(State& state, const std::string& name) { open_lesson(state, name, std::nullopt); }
 
 /// Back to the list, and to the previous scene.
 void end_lesson(State& state, const std::string& /*name*/) {
@@ -178,6 +165,42 @@ void end_lesson(State& state, const std::string& /*name*/) {
 }
 
 }  // namespace
+
+bool open_lesson(State& state, const std::string& name, std::optional<int> step) {
+  LessonRoom& sitting = state.lessons;
+  auto lesson = read_lesson(sitting.folder + "/" + name);
+  if (!lesson) {
+    complain(state, lesson.error().text());
+    return false;
+  }
+  const Mode mode = state.walk.mode;
+  const auto opened = std::make_shared<OpenedLesson>(std::move(*lesson));
+  // Some play for seconds. Cancelled, the lesson is not opened, and what it then plays is dropped.
+  run_detached(state.document.stop, [opened, folder = sitting.scenes_folder] {
+    opened->played = play_lesson(opened->lesson, folder, Playing::to_show);
+  });
+  if (opened->played.steps.empty()) {
+    complain(state, opened->played.errors.empty() ? name : opened->played.errors.front().text());
+    return false;
+  }
+  const auto done = sitting.done.find(name);
+  const int steps = static_cast<int>(opened->played.steps.size());
+  int at = done == sitting.done.end() || done->second >= steps ? 0 : done->second;
+  if (step) at = std::clamp(*step, 0, steps - 1);
+  if (tells_at_once(state, opened->played.steps[static_cast<std::size_t>(at)])) render_pictures(state, opened, at);
+  forget_autosave(state);
+  if (!sitting.open && saved_scene(state) != Scene{}) {
+    // Unsaved work was asked about, and discarded.
+    sitting.own = std::make_shared<const OwnScene>(OwnScene{saved_document(state), state.document.path, mode});
+  }
+  sitting.open = opened;
+  sitting.last = name;
+  sitting.step = at;
+  sitting.shown = true;
+  show_as_left(state);
+  stage(state);
+  return true;
+}
 
 void LessonRoom::close(State& state) {
   if (state.lessons.open) set_bug(state, std::nullopt);
@@ -209,10 +232,8 @@ void action::OpenLesson::apply(State& state) const {
   const std::vector<LessonRow> rows = lesson_rows(state.lessons, state.appearance.language);
   const auto row = std::find_if(rows.begin(), rows.end(), [&](const LessonRow& each) { return each.name == name; });
   if (row == rows.end()) return complain(state, fill("lesson.unknown", state.appearance.language, {{"name", name}}));
-  if (step && !state.document.dirty) return begin_lesson_at(state, name, step);
   if (row->locked) return inform(state, std::string(text("lesson.locked", state.appearance.language)));
-  // Changes during a lesson belong to the lesson.
-  if (state.lessons.open) state.document.dirty = false;
+  if (state.lessons.open) return begin_lesson(state, name);
   ask_or_do(state, {"question.unsaved_open", begin_lesson}, name);
 }
 
@@ -228,6 +249,8 @@ void action::GoToLessonStep::apply(State& state) const {
   // The steps between may ask.
   const bool skips = sitting.unlocked || sitting.presenter;
   const int to = std::min(step, skips ? panel.steps : sitting.step + 1);
+  if (to < panel.steps && tells_at_once(state, sitting.open->played.steps[static_cast<std::size_t>(to)]))
+    render_pictures(state, sitting.open, to);
   int& done = sitting.done[sitting.open->lesson.name];
   done = std::max(done, to);
   write_progress(state);
@@ -268,6 +291,7 @@ void action::RevealLesson::apply(State& state) const {
     if (question_waits(state)) inform(state, std::string(text("lesson.predict_first", state.appearance.language)));
     return;
   }
+  render_pictures(state, sitting.open, sitting.step);
   sitting.revealed = true;
   const bool is_first = sitting.counted.emplace(sitting.open->lesson.name, sitting.step).second;
   if (const auto verdict = judge(sitting); verdict && is_first) {

@@ -43,6 +43,7 @@ struct LessonGuess {
   std::optional<double> number;
   std::optional<Vec2d> arrow;  ///< where it points, from the ray's origin; scene units, not of length 0
   std::optional<Line> line;    ///< suspected to be faulty
+  [[nodiscard]] bool any() const { return choice || number || arrow || line; }
   friend bool operator==(const LessonGuess&, const LessonGuess&) = default;
 };
 
@@ -70,14 +71,12 @@ struct ListLessons {
   static constexpr Traits traits{.keeps_drag = true, .keeps_tween = true, .answers_prompt = true};
   void apply(State& state) const;
 };
-/// At the first unfinished step; asks first if there is unsaved work.
+/// At the first unfinished step, unless it is locked; asks first if there is unsaved work. Changes during a lesson
+/// belong to the lesson, and are none.
 struct OpenLesson {
   static constexpr std::string_view word = "open-lesson";
   std::string name;
-  /// From 0; absent: the first unfinished one. Where nothing is unsaved, it opens a locked lesson too: a link leads
-  /// there.
-  std::optional<int> step{};
-  static void fields(auto& f, auto& a) { f(a.name), f(a.step, Unwritten{}); }
+  static void fields(auto& f, auto& a) { f(a.name); }
   static constexpr Traits traits{.of_own_scene = true};
   void apply(State& state) const;
 };
@@ -172,5 +171,9 @@ struct LessonRoom {
                : nullptr;
   }
 };
+
+/// Opens a lesson, even a locked one, at `step`, from 0, or at the first unfinished; discards unsaved work. False, with
+/// a notice, if it cannot be opened: nothing has changed then.
+bool open_lesson(State& state, const std::string& name, std::optional<int> step);
 
 }  // namespace raywalk

@@ -111,6 +111,7 @@ std::optional<double> typed_guess(const LessonRoom& sitting, std::string_view ty
   if (question == nullptr) return std::nullopt;
   const std::vector<double> meant = typed_numbers(typed, question->unit);
   if (meant.empty()) return std::nullopt;
+  if (meant.size() == 1) return meant.front();
   const Outcome truth =
       value_at(sitting.open->played, static_cast<std::size_t>(sitting.step), step->shown, question->answer.expression);
   const double* number = truth ? std::get_if<double>(&*truth) : nullptr;

@@ -177,14 +177,8 @@ Result<std::string> open_scene_of(State& state, const Link& link) {
     action::ShowLessons{true}.apply(state);
     const auto is_it = [&](const LessonEntry& each) { return each.name == link.lesson; };
     if (std::none_of(state.lessons.list.begin(), state.lessons.list.end(), is_it)) return no_lesson();
-    const bool dirty = std::exchange(state.document.dirty, false);  // it was asked about
-    const auto before = state.lessons.open;
-    action::OpenLesson{link.lesson, link.lesson_step - 1}.apply(state);
+    if (!open_lesson(state, link.lesson, link.lesson_step - 1)) return no_lesson();
     const PlayedStep* at = state.lessons.at();
-    if (at == nullptr || state.lessons.open == before) {
-      state.document.dirty = dirty;
-      return no_lesson();
-    }
     sum = scene_sum(at->walk->document.scene);
     auto changed = changed_by(link, at->walk->document);
     if (!changed) return tl::unexpected(changed.error());
