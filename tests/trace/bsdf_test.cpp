@@ -105,6 +105,7 @@ TEST_CASE("densities of all lobes together integrate to 1, their values to what 
 
 TEST_CASE("each lobe is drawn by its density") {
   for (int one = 0; one < lobe_count; ++one) {
+    if (left_out(static_cast<std::size_t>(one), 2)) continue;
     Bsdf<double> bsdf = surface(40);
     const Lobe lobe = static_cast<Lobe>(one);
     INFO(name_of(lobe));
@@ -118,7 +119,7 @@ TEST_CASE("each lobe is drawn by its density") {
     bsdf.prepare(Rgbd(1.0));
     CHECK_FALSE(bsdf.several());
     CHECK(bsdf.sample_lobe(0.999) == lobe);
-    constexpr int bands = 20, sectors = 12, fine = 24, n = 100000;
+    constexpr int bands = 20, sectors = 12, fine = 24, n = rounds(100000);
     std::vector<double> expected(bands * sectors);
     for (int band = 0; band < bands * fine; ++band)
       for (int sector = 0; sector < sectors * fine; ++sector) {

@@ -2,6 +2,7 @@
 
 #include "trace/checker_filter.h"
 #include "support/catch.h"
+#include "support/effort.h"
 #include "trace/texture.h"
 
 #include <cmath>
@@ -10,6 +11,7 @@
 #include <vector>
 
 using namespace raywalk;
+using namespace raywalk::test;
 
 namespace {
 
@@ -61,7 +63,7 @@ double by_clipping(const Vec2d& place, const Footprint<double>& footprint) {
 TEST_CASE("the share of even squares is that of many points") {
   std::mt19937 bits(3);
   const auto number = [&] { return static_cast<double>(bits()) / 0x1p31 - 1; };
-  for (int i = 0; i < 400; ++i) {
+  for (int i = 0; i < rounds(400); ++i) {
     const double size = std::pow(2, 3 * number());
     const Vec2d place(10 * number(), 10 * number());
     const Footprint<double> footprint{size * Vec2d(number(), number()), size * Vec2d(number(), number())};

@@ -3,6 +3,7 @@
 
 #include "math/sampler.h"
 #include "math/sampling.h"
+#include "support/effort.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +18,7 @@ namespace raywalk::test {
 // not know of.
 template <class Pdf, class Draw>
 double chi_square_deviation(std::uint32_t n, const Pdf& pdf, const Draw& draw) {
-  constexpr int bands = 48, sectors = 16, fine = 24;
+  constexpr int bands = 48, sectors = 16, fine = sanitized ? 12 : 24;
   constexpr double least = 10;
   const auto cell_of = [](double z, double turn) {
     const int band = std::min(static_cast<int>((z + 1) / 2 * bands), bands - 1);

@@ -170,7 +170,7 @@ TEST_CASE("what cannot be drawn is left to chance and says so") {
   CHECK(sides.pdf({1, -2, 0}, 0, 0, {1, 0, 0}, {0, -1, 0}) > 0);
   CHECK(sides.pdf({0, 0, 4}, 0, 4, {0.2, 0.2, 0.5}, {0, 0, 1}) == 0);
   // The point drawn may be hidden behind another face of the light, or anything else.
-  CHECK(count(bent, {3, 3, 0.1}).unseen > 100);
+  CHECK(count(bent, {3, 3, 0.1}, pi_v<double>, 1 << 12).unseen > 100);
 }
 
 TEST_CASE("float draws what double draws") {

@@ -3,6 +3,7 @@
 
 #include "trace/maps.h"
 #include "support/catch.h"
+#include "support/effort.h"
 #include "trace/paths.h"
 #include "trace/photon_scenes.h"
 #include "trace/sampled.h"
@@ -224,6 +225,7 @@ TEST_CASE("a map of what is emitted shows alike to paths by light and by chance,
 TEMPLATE_TEST_CASE("watched or not, by any accelerator, mapped surfaces have the same bits and are finite", "", float,
                    double) {
   using T = TestType;
+  if (left_out(std::is_same_v<T, double>, 2)) return;
   Scene scene = mapped_room();
   const auto pixels = pixels_of(3, 2, {{0.1, 0.9, 0.4}, Rgbd(1.0), Rgbd(0.0), Rgbd(0.6), {0.3, 0.3, 1.0}, Rgbd(0.8)});
   for (Object& each : scene.objects) {

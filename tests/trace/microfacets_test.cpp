@@ -119,7 +119,8 @@ TEST_CASE("rough gold returns less than smooth gold, and its light is yellower f
   const MetalIndex index = refractive_index(MirrorKind::gold);
   const Conductor<double> gold{index.eta, index.k};
   const Microsurface<double> smooth = mirrors_of(0.01, MirrorKind::gold), rough = mirrors_of(1, MirrorKind::gold);
-  const Rgbd of_smooth = furnace(surface(smooth, 1), 1 << 15), of_rough = furnace(surface(rough, 1), 1 << 15);
+  const Rgbd of_smooth = furnace(surface(smooth, 1), rounds(1 << 15)),
+             of_rough = furnace(surface(rough, 1), rounds(1 << 15));
   for (int c = 0; c < 3; ++c) {
     CHECK(of_smooth[c] == Approx(gold.reflectance(1)[c]).epsilon(2e-3));
     CHECK(of_rough[c] < of_smooth[c]);

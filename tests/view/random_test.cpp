@@ -11,7 +11,7 @@ using namespace raywalk::test;
 
 TEST_CASE("thousands of random actions of every kind keep every promise, and undo leads all the way back") {
   const unsigned seed = GENERATE(1u, 2u, 3u, 4u);
-  if (left_to_all(seed, 2)) return;
+  if (left_to_all(seed, 4)) return;
   const TemporaryFolder folder;
   RandomActions actions(seed, folder.path());
   State state = busy_state();
