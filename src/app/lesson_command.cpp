@@ -147,6 +147,7 @@ ExitCode lesson_script_command(const std::string& name, Language language, const
     if (const auto claimed = claim_output(*path); !claimed) return fail(claimed.error());
   const PlayedLesson played = play_lesson(*lesson, data_dir() + "/scenes");
   if (!played.errors.empty()) return fail(played.errors.front());
+  if (const auto claims = detail::check_claims(played); !claims.empty()) return fail(claims.front());
   const bool page = path && is_page(*path);
   const std::string script = lesson_script(played, language, page ? ScriptForm::page : ScriptForm::markdown);
   const auto written = path ? write_file_atomically(*path, script) : print(script);

@@ -246,7 +246,9 @@ Result<std::string> filled(const PlayedLesson& played, std::size_t index, int po
 
 LessonCheck check_lesson(const Lesson& lesson, const LessonCheckSettings& settings) {
   const PlayedLesson played = play_lesson(lesson, settings.scenes_folder);
-  LessonCheck found = played.errors.empty() ? detail::check_seeds(played, settings) : LessonCheck{played.errors, {}};
+  LessonCheck found{detail::check_claims(played), {}};
+  found.errors.insert(found.errors.end(), played.errors.begin(), played.errors.end());
+  if (found.errors.empty()) found = detail::check_seeds(played, settings);
   const std::vector<Error> of_words = detail::check_words(played, settings);
   found.errors.insert(found.errors.end(), of_words.begin(), of_words.end());
   return found;

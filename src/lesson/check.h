@@ -34,6 +34,8 @@ struct LessonCheck {
 [[nodiscard]] LessonCheck check_lesson(const Lesson& lesson, const LessonCheckSettings& settings);
 
 namespace detail {
+/// Pictures that cannot be rendered, and claims, faults and answers that the trace contradicts, of all steps reached.
+[[nodiscard]] std::vector<Error> check_claims(const PlayedLesson& played);
 /// Claims and answers that fail for other seeds, and how far their numbers spread.
 [[nodiscard]] LessonCheck check_seeds(const PlayedLesson& played, const LessonCheckSettings& settings);
 /// The words in every language.

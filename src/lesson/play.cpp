@@ -18,8 +18,8 @@ namespace {
 
 class Player {
  public:
-  Player(PlayedLesson& to, const std::string& scenes_folder, Playing playing)
-      : to_(to), lesson_(*to.lesson), scenes_folder_(scenes_folder), playing_(playing) {}
+  Player(PlayedLesson& to, const std::string& scenes_folder)
+      : to_(to), lesson_(*to.lesson), scenes_folder_(scenes_folder) {}
   /// Plays again what `first` played, with other random numbers.
   Player(PlayedLesson& to, const std::string& scenes_folder, const PlayedLesson& first, std::uint64_t seed)
       : to_(to), lesson_(*to.lesson), scenes_folder_(scenes_folder), first_(&first), seed_(seed) {}
@@ -28,21 +28,15 @@ class Player {
     for (const LessonStep& step : lesson_.steps) {
       if (!stage(step)) return;
       to_.steps.push_back({&step, walk_, position_, position_, {}});
-      to_.steps.back().random = draws_random(integrator_of(document_.scene));
       if (!take_pictures(step) || !move(step)) {
         to_.steps.pop_back();
         return;
       }
-      if (verifies()) verify_all(step);
       position_ = to_.steps.back().shown;
     }
-    if (verifies())
-      for (const Saying& saying : lesson_.says)
-        for (const Formula& claim : saying.claims) verify(claim);
   }
 
  private:
-  [[nodiscard]] bool verifies() const { return first_ == nullptr && playing_ == Playing::to_check; }
   [[nodiscard]] std::string file() const { return lesson_.folder + "/lesson.toml"; }
   void fail(int line, std::string message, std::string hint = "") {
     to_.errors.push_back({file(), line, 0, std::move(message), std::move(hint)});
@@ -51,14 +45,6 @@ class Player {
     if (error.line == 0) error = {file(), line, 0, error.message, error.hint};
     to_.errors.push_back(std::move(error));
     return false;
-  }
-
-  void verify_all(const LessonStep& step) {
-    for (const Formula& check : step.checks) verify(check);
-    for (const Saying& saying : step.says)
-      for (const Formula& claim : saying.claims) verify(claim);
-    if (step.fault) verify_fault(step);
-    if (step.question) verify_question(step);
   }
 
   /// Records the step's walk.
@@ -122,7 +108,7 @@ class Player {
       }
       if (first_ != nullptr) {
         const auto& before = first_->steps[to_.steps.size() - 1].pictures.find(request.name)->second;
-        if (request.seed || before->rendering()->statistics.random_draws() == 0) {
+        if (request.seed || !before->is_random()) {
           to_.steps.back().pictures.insert_or_assign(request.name, before);
           continue;
         }
@@ -132,12 +118,8 @@ class Player {
       settings.sampling.per_pixel = request.samples;
       settings.sampling.seed = request.seed.value_or(seed_);
       settings.accelerator = request.accelerator;
-      const auto picture = std::make_shared<const StepPicture>(std::move(scene), settings);
-      to_.steps.back().pictures.insert_or_assign(request.name, picture);
-      if (playing_ == Playing::to_show) continue;
-      const Result<Rendering>& rendering = picture->rendering();
-      if (!rendering) return fail(rendering.error(), request.line);
-      if (rendering->statistics.random_draws() > 0 && !request.seed) to_.steps.back().random = true;
+      to_.steps.back().pictures.insert_or_assign(request.name,
+                                                 std::make_shared<const StepPicture>(std::move(scene), settings));
     }
     return true;
   }
@@ -178,93 +160,9 @@ class Player {
     return true;
   }
 
-  void verify(const Formula& check) {
-    const std::size_t index = to_.steps.size() - 1;
-    const int position = to_.steps.back().shown;
-    const Outcome value = value_at(to_, index, position, check.expression);
-    if (!value) return fail(check.line, check.text + ": " + value.error());
-    if (holds(*value)) return;
-    const std::string sides = check.expression.sides(Facts(to_, index, position));
-    fail(check.line,
-         fmt::format("the trace does not bear out: {}{}", check.text, sides.empty() ? "" : "; it has " + sides),
-         fmt::format("step \"{}\" stands at step {} of the walk", to_.steps.back().step->id, position));
-  }
-
-  /// The fault must change something in the current pixel, first at the line that it breaks.
-  void verify_fault(const LessonStep& step) {
-    const Timeline& timeline = walk_->timeline;
-    const int pixel = timeline.current_pixel(to_.steps.back().shown);
-    if (pixel < 0) return fail(step.line, "fault: the walk stands in no pixel (expected pixel, or run)");
-    const PixelRecord& at = timeline.pixels()[static_cast<std::size_t>(pixel)];
-    Scene scene = document_.scene;
-    scene.render.numerics = Numerics::naive;  // as with the fault
-    const auto walked = [&](const Recording& how) {
-      return walk_->pixel ? record_pixel(scene, scene.image, at.column, at.row, how)
-                          : record_cell(scene, at.column, how);
-    };
-    Recording broken;
-    broken.fault = step.fault;
-    const Timeline with = walked(broken), without = walked({});
-    const std::optional<int> first = first_difference(scene, with, without);
-    if (!first)
-      return fail(step.line, fmt::format("fault: {} changes nothing in pixel {}", name_of(*step.fault), at.column),
-                  "take another pixel, or another scene");
-    const Line line = with.event(std::min(*first, with.steps() - 1)).line, expected = faulty_line(*step.fault);
-    if (line != expected)
-      fail(step.line, fmt::format("fault: the walk first changes at \"{}\" (expected \"{}\")", pseudocode_of(line).text,
-                                  pseudocode_of(expected).text));
-  }
-
-  /// The predicted value must count as right.
-  void verify_theory(const NumberQuestion& question, double measured) {
-    const Outcome theory = value_at(to_, to_.steps.size() - 1, to_.steps.back().shown, question.theory->expression);
-    const double* number = theory ? std::get_if<double>(&*theory) : nullptr;
-    if (number == nullptr)
-      return fail(question.theory->line, "theory: " + question.theory->text + " is no number here");
-    if (!question.accepts(*number, measured))
-      fail(question.theory->line,
-           fmt::format("theory: {} is {:.9g}, and the trace has {:.9g}: farther apart than the tolerance {:.9g}",
-                       question.theory->text, *number, measured, question.tolerance));
-  }
-
-  void verify_question(const LessonStep& step) {
-    const PlayedStep& played = to_.steps.back();
-    const std::size_t index = to_.steps.size() - 1;
-    if (std::holds_alternative<ArrowQuestion>(*step.question)) {
-      const Outcome direction = value_at(to_, index, played.shown, *Expression::parse("direction"));
-      if (!direction || !std::holds_alternative<Vec3d>(*direction))
-        fail(step.line, "predict: the line that is run to forms no ray, so there is no arrow to compare with");
-    } else if (const auto* number = std::get_if<NumberQuestion>(&*step.question)) {
-      const Outcome value = value_at(to_, index, played.shown, number->answer.expression);
-      if (!value)
-        fail(number->answer.line, number->answer.text + ": " + value.error());
-      else if (!std::holds_alternative<double>(*value))
-        fail(number->answer.line, "predict: " + number->answer.text + " is no number here");
-      else if (number->theory)
-        verify_theory(*number, std::get<double>(*value));
-    } else if (const auto* line = std::get_if<LineQuestion>(&*step.question)) {
-      if (!step.fault)
-        fail(step.line, "predict: a line is asked for, and no line is at fault (expected fault = \"...\")");
-      else if (const auto right = pseudocode_of(faulty_line(*step.fault)).text; line->answer != right)
-        fail(step.line, fmt::format("predict: \"{}\" is not the line that {} breaks (expected \"{}\")", line->answer,
-                                    name_of(*step.fault), right));
-    } else if (const auto* choice = std::get_if<ChoiceQuestion>(&*step.question)) {
-      int right = 0;
-      for (const Formula& each : choice->choices) {
-        const Outcome value = value_at(to_, index, played.shown, each.expression);
-        if (!value) return fail(each.line, each.text + ": " + value.error());
-        right += holds(*value) ? 1 : 0;
-      }
-      if (right != 1)
-        fail(step.line, fmt::format("predict: {} of the {} choices hold in the trace (expected exactly one)", right,
-                                    choice->choices.size()));
-    }
-  }
-
   PlayedLesson& to_;
   const Lesson& lesson_;
   const std::string& scenes_folder_;
-  Playing playing_ = Playing::to_check;
   SceneDocument document_;
   std::shared_ptr<LessonWalk> walk_;
   int position_ = 0;
@@ -279,10 +177,10 @@ const Result<Rendering>& StepPicture::rendering() const {
   return *rendering_;
 }
 
-PlayedLesson play_lesson(const Lesson& lesson, const std::string& scenes_folder, Playing playing) {
+PlayedLesson play_lesson(const Lesson& lesson, const std::string& scenes_folder) {
   PlayedLesson played;
   played.lesson = &lesson;
-  Player(played, scenes_folder, playing).play();
+  Player(played, scenes_folder).play();
   return played;
 }
 
@@ -291,6 +189,14 @@ PlayedLesson play_again(const PlayedLesson& first, const std::string& scenes_fol
   played.lesson = first.lesson;
   Player(played, scenes_folder, first, seed).play();
   return played;
+}
+
+bool depends_on_seed(const PlayedStep& step) {
+  const auto is_drawn = [&](const PictureRequest& request) {
+    return !request.seed && step.pictures.find(request.name)->second->is_random();
+  };
+  return draws_random(integrator_of(step.walk->document.scene)) ||
+         std::any_of(step.step->pictures.begin(), step.step->pictures.end(), is_drawn);
 }
 
 Outcome value_at(const PlayedLesson& played, std::size_t index, int position, const Expression& expression) {

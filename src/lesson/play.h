@@ -34,6 +34,8 @@ class StepPicture {
   StepPicture(Scene scene, const RenderSettings& settings) : scene_(std::move(scene)), settings_(settings) {}
   /// Renders it, if nobody has; also from several threads.
   [[nodiscard]] const Result<Rendering>& rendering() const;
+  /// Whether another seed renders another picture.
+  [[nodiscard]] bool is_random() const { return rendering() && rendering()->statistics.random_draws() > 0; }
 
  private:
   Scene scene_;
@@ -49,29 +51,24 @@ struct PlayedStep {
   int asked = 0;  ///< position at which the student reads and predicts
   int shown = 0;  ///< position of the answer; the same if nothing is asked
   std::map<std::string, std::shared_ptr<const StepPicture>, std::less<>> pictures;
-  bool random = false;  ///< its walk or its pictures depend on random numbers
 };
 
 /// The result of playing a lesson. `lesson` must outlive it.
 struct PlayedLesson {
   const Lesson* lesson = nullptr;
   std::vector<PlayedStep> steps;  ///< up to the first that cannot be reached
-  std::vector<Error> errors;      ///< steps that are not reached, and claims that the trace contradicts
+  std::vector<Error> errors;      ///< why the next step is not reached
 };
 
-/// What a lesson is played for.
-enum class Playing {
-  to_check,  ///< all pictures are rendered, and every claim is held to the trace
-  to_show    ///< the steps are found, and no more
-};
-
-/// Plays all steps. `scenes_folder`: of the shipped scenes.
-[[nodiscard]] PlayedLesson play_lesson(const Lesson& lesson, const std::string& scenes_folder,
-                                       Playing playing = Playing::to_check);
+/// Plays all steps. What they claim is for check_lesson to hold to the trace. `scenes_folder`: of the shipped scenes.
+[[nodiscard]] PlayedLesson play_lesson(const Lesson& lesson, const std::string& scenes_folder);
 
 /// The same lesson with another seed. Steps without random numbers, and pictures with their own seed, keep their
-/// pictures; nothing is verified.
+/// pictures.
 [[nodiscard]] PlayedLesson play_again(const PlayedLesson& first, const std::string& scenes_folder, std::uint64_t seed);
+
+/// Whether another seed gives the step another walk or other pictures.
+[[nodiscard]] bool depends_on_seed(const PlayedStep& step);
 
 /// The value of a formula in step `index` at one of its positions.
 [[nodiscard]] Outcome value_at(const PlayedLesson& played, std::size_t index, int position,

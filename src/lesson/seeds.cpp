@@ -16,8 +16,7 @@ class SeedsChecker {
       : played_(played), settings_(settings), file_(played.lesson->folder + "/lesson.toml") {}
 
   LessonCheck check() {
-    const auto is_random = [](const PlayedStep& step) { return step.random; };
-    if (std::none_of(played_.steps.begin(), played_.steps.end(), is_random)) return {};
+    if (std::none_of(played_.steps.begin(), played_.steps.end(), depends_on_seed)) return {};
     look_at(played_);
     for (int seed = 1; seed <= settings_.seeds; ++seed) {
       seed_ = seed;

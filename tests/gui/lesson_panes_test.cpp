@@ -86,7 +86,7 @@ TEST_CASE("no button of a lesson's step is cut or covered, in windows of every s
       ++steps;
       for (std::size_t shape = 0; shape < windows.size(); ++shape) {
         // Sanitizers make a frame ten times slower: there one shape a step, in turn.
-        if (sanitized && shape != steps % windows.size()) continue;
+        if (sanitized ? shape != steps % windows.size() : left_to_all(shape + steps, 3)) continue;
         const WindowShape& window = windows[shape];
         // Before and after the answer, and the languages, in turn, so that each meets every window.
         if (turn % 2 == 1) update(bench.state, action::RevealLesson{});
@@ -107,5 +107,5 @@ TEST_CASE("no button of a lesson's step is cut or covered, in windows of every s
       }
     }
   }
-  CHECK(looked_at > (sanitized ? 1000U : 10000U));
+  CHECK(looked_at > (sanitized ? 1000U : thorough() ? 10000U : 3000U));
 }

@@ -82,6 +82,7 @@ TEST_CASE("every beginning of a scene is read without harm") {
   const std::string classic = contents(RAYWALK_SOURCE_DIR "/scenes/classic.toml");
   int read = 0;
   for (std::size_t length = 0; length < classic.size(); length += 3) {
+    if (left_out(length / 3, 7)) continue;
     const auto document = parse_scene(classic.substr(0, length), "part.toml");
     if (document)
       ++read;
@@ -126,7 +127,7 @@ TEST_CASE("a folder, a missing file and an endless one are no scenes") {
 
 TEST_CASE("a file of a million tables is refused at the first one that is wrong") {
   std::string text = "[camera]\neye = [0, 0]\nlook_at = [1, 0]\nfov = 45\n";
-  for (int i = 0; i < 1'000'000; ++i) text += "[[object]]\n";
+  for (int i = 0; i < rounds(1'000'000); ++i) text += "[[object]]\n";
   const auto document = parse_scene(text, "many.toml");
   REQUIRE(!document);
   CHECK(document.error().line == 5);
