@@ -304,6 +304,15 @@ test('axe-core finds no fault, as a drawing and as text', async () => {
   await page.evaluate(() => { for (const each of document.querySelectorAll('#mirror details')) each.open = true; });
   assert.deepEqual(await faults(), []);
   await page.screenshot({ path: join(pictures, 'as-text.png') });
+  // The drawing has the rest of the window, and its own proportions.
+  const shown = await page.$eval('#canvas', (canvas) => [canvas.getBoundingClientRect().right, canvas.clientWidth * devicePixelRatio / canvas.width]);
+  assert.deepEqual(shown, [await page.$eval('#mirror', (text) => text.getBoundingClientRect().left), 1]);
+  // A key that is pressed beside all buttons is not the program's.
+  const { mode } = await visit.until(() => true);
+  await page.click('#mirror h1');
+  await page.keyboard.press('m');
+  await new Promise((drawn) => setTimeout(drawn, 500));
+  assert.equal((await visit.until(() => true)).mode, mode);
   await page.setViewport({ width: 360, height: 640 });
   assert.deepEqual(await faults(), []);
   assert.ok(await page.evaluate(() => document.getElementById('mirror').scrollWidth <= 360), 'nothing is cut off');

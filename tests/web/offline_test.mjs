@@ -49,6 +49,8 @@ test('after the first visit the page opens without a network', async () => {
   await page.goto(address + '?language=pt#v=1/scene=glass/step=2');
   await started(page);
   assert.equal(await page.evaluate(() => document.documentElement.lang), 'pt');
+  await page.goto(address + 'index.html');
+  await started(page);
   await page.close();
   assert.equal(await serve(new URL(address).port), address);
 });
@@ -85,6 +87,27 @@ test('a new version takes the place of the old one whole, once no page of the ol
   assert.equal(await version_of(third), '0123456789abcdef');
   const caches_left = await third.evaluate(() => caches.keys());
   assert.deepEqual(caches_left, [`raywalk ${address} 0123456789abcdef`]);
+  await context.close();
+});
+
+test('an update that cannot be had whole leaves what is kept', async () => {
+  const context = await browser.createBrowserContext(), page = await context.newPage();
+  await page.goto(address);
+  await started(page);
+  await kept(page);
+  const worker = readFileSync(join(own, 'kept.js'), 'utf8'), icon = readFileSync(join(own, 'icon.svg'));
+  writeFileSync(join(own, 'kept.js'), worker + '\n');
+  rmSync(join(own, 'icon.svg'));
+  const state = await page.evaluate(async () => {
+    const registration = await navigator.serviceWorker.getRegistration();
+    await registration.update();
+    const { installing } = registration;
+    return new Promise((settled) => { installing.onstatechange = () => settled(installing.state); });
+  });
+  assert.equal(state, 'redundant');
+  assert.equal((await page.evaluate(() => caches.keys())).length, 1);
+  writeFileSync(join(own, 'kept.js'), worker);
+  writeFileSync(join(own, 'icon.svg'), icon);
   await context.close();
 });
 

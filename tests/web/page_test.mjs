@@ -198,6 +198,33 @@ test('what is not saved yet is kept when the page is hidden, and again after the
   await page.close();
 });
 
+test('a host without encryption keeps the work of a tab, too', async () => {
+  const visit = await Visit.begin(browser, server.address), { page } = visit;
+  await page.evaluateOnNewDocument(() => Object.defineProperty(navigator, 'locks', { value: undefined }));
+  const start = async () => {
+    await page.reload();
+    await page.waitForFunction(() => window.raywalk && document.getElementById('says').hidden, { timeout: 120000 });
+  };
+  await start();
+  await visit.add_sphere();
+  await visit.until((now) => now.dirty && now.undo === 1);
+  await start();
+  assert.ok(await page.evaluate(() => window.raywalk.FS.readdir('/kept').includes('autosave.toml')));
+  await page.close();
+});
+
+test('a drawing that the browser drops is said to be gone, and the work is kept', async () => {
+  const visit = await Visit.begin(browser, server.address, {}, '&language=en'), { page } = visit;
+  await visit.add_sphere();
+  await visit.until((now) => now.dirty && now.undo === 1);
+  await page.evaluate(() => document.getElementById('canvas').getContext('webgl2').getExtension('WEBGL_lose_context').loseContext());
+  await page.waitForFunction(() => /drawing's memory.*\n.*is kept/.test(document.getElementById('says').textContent));
+  await page.reload();
+  await page.waitForFunction(() => window.raywalk && document.getElementById('says').hidden, { timeout: 120000 });
+  assert.ok(await page.evaluate(() => window.raywalk.FS.readdir('/kept').includes('autosave.toml')));
+  await page.close();
+});
+
 test('the presenter\'s notes have a tab of their own, which keeps the ends of their lines', only_in_chromium, async () => {
   const visit = await Visit.begin(browser, server.address, {}, '&language=en#v=1/lesson=01-ray-casting/at=2');
   const [notes] = await Promise.all([new Promise((opened) => visit.page.once('popup', opened)), visit.act('notes-window on')]);

@@ -12,6 +12,7 @@ importScripts(version + '/unpack.js');
 // All of them or none: a page that was changed on its host meanwhile is not this version. The program is kept unpacked, for
 // its browser to compile without a detour.
 async function keep() {
+  const is_new = !await caches.has(own);
   const cache = await caches.open(own);
   try {
     await cache.addAll(files.map((file) => new Request(file, { cache: 'reload' })));
@@ -21,7 +22,7 @@ async function keep() {
     if (!packed.ok) throw new Error('the program is missing');
     await cache.put(version + '/raywalk.wasm', await unpacked(packed.body));
   } catch (why) {
-    await caches.delete(own);
+    if (is_new) await caches.delete(own);
     throw why;
   }
 }
@@ -37,10 +38,10 @@ async function forget_others() {
   await Promise.all((await caches.keys()).map(forget));
 }
 
+// Options of the address are the page's own business, and so is whether its file is named.
 async function answer(request) {
-  const cache = await caches.open(own);
-  // Options of the address are the page's own business.
-  return await cache.match(request, { ignoreSearch: true }) ?? fetch(request);
+  const cache = await caches.open(own), address = request.url.replace(/[?#].*/, '').replace(/\/index\.html$/, '/');
+  return await cache.match(address) ?? fetch(request);
 }
 
 // It takes over only once no page of an older version is open: the browser waits for that, and nobody skips it.

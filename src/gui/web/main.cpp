@@ -145,6 +145,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_told() {
       {"done", lessons.done},
       {"asks", state.document.question.has_value()},
       {"waits", waits_for_answer(state)},
+      {"unsaved", state.document.dirty},
       {"error",
        state.document.notice && state.document.notice->kind == Notice::Kind::error ? state.document.notice->text : ""}};
   told = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);

@@ -89,24 +89,24 @@ rmSync(site, { recursive: true, force: true });
 
 const parts = new Map([['raywalk.bin', packed], ['page.css', read(here, 'page.css')],
   ...['raywalk.js', 'worker.js', ...scripts].map((name) => [name, script(name)])]);
-const version = sha256(...parts.values(), JSON.stringify(words)).digest('hex').slice(0, 16);
-const own = join(site, version);
-mkdirSync(own, { recursive: true });
-for (const [name, content] of parts) writeFileSync(join(own, name), content);
-// For where a page may run scripts but fetch nothing: a frame without an origin, or a folder of a disk.
-writeFileSync(join(own, 'code.js'), `self.raywalk_code = '${letters}';\n`);
-writeFileSync(join(site, 'index.html'), page(
+const index = page(
   ["script-src 'self' 'wasm-unsafe-eval'", "style-src 'self'", "img-src 'self' blob: data:", "connect-src 'self'",
     "worker-src 'self'", "manifest-src 'self'"],
   ['<link rel="icon" href="icon.svg">', '<link rel="manifest" href="manifest.webmanifest">',
-    `<link rel="stylesheet" href="${version}/page.css">`],
-  ['raywalk.js', ...scripts].map((name) => `<script src="${version}/${name}"></script>`)));
-copyFileSync(join(here, 'icon.svg'), join(site, 'icon.svg'));
-copyFileSync(join(here, 'manifest.webmanifest'), join(site, 'manifest.webmanifest'));
-copyFileSync(join(here, 'course.html'), join(site, 'course.html'));
-const kept = ['./', 'icon.svg', 'manifest.webmanifest', ...[...parts.keys()].filter((name) => name !== 'raywalk.bin').map((name) => `${version}/${name}`)];
-writeFileSync(join(site, 'kept.js'), read(here, 'kept.js')
-  .replace('"VERSION"', () => JSON.stringify(version)).replace('[]', () => JSON.stringify(kept)));
+    '<link rel="stylesheet" href="VERSION/page.css">'],
+  ['raywalk.js', ...scripts].map((name) => `<script src="VERSION/${name}"></script>`));
+const for_all = ['icon.svg', 'manifest.webmanifest'];
+const kept = ['./', ...for_all, ...[...parts.keys()].filter((name) => name !== 'raywalk.bin').map((name) => `VERSION/${name}`)];
+// What names the version, which is of these bytes too.
+const naming = new Map([['index.html', index], ['kept.js', read(here, 'kept.js').replace('[]', () => JSON.stringify(kept))]]);
+const version = sha256(...parts.values(), ...naming.values(), ...for_all.map((name) => read(here, name))).digest('hex').slice(0, 16);
+const own = join(site, version);
+mkdirSync(own, { recursive: true });
+for (const [name, content] of parts) writeFileSync(join(own, name), content);
+for (const [name, content] of naming) writeFileSync(join(site, name), content.replaceAll('VERSION', version));
+// For where a page may run scripts but fetch nothing: a frame without an origin, or a folder of a disk.
+writeFileSync(join(own, 'code.js'), `self.raywalk_code = '${letters}';\n`);
+for (const name of [...for_all, 'course.html']) copyFileSync(join(here, name), join(site, name));
 
 // --- The one file ------------------------------------------------------------------------------------------------------
 

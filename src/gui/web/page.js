@@ -23,19 +23,31 @@ let running = false;
 
 let failed = false;
 
-function fail(why) {
+// Ends the program, and says what becomes of the work.
+function end(id, why) {
   if (failed) return;
   failed = true;
   running = false;
-  console.error(why);
-  const memory = /memory/i.test(String(why?.message ?? why));
-  say(memory ? 'out_of_memory' : 'failed', String(why?.message ?? why));
+  say(id, [words[language][database ? 'kept' : 'not_kept'], why].join('\n'));
   if (program) keep();
 }
 
+function fail(why) {
+  console.error(why);
+  const said = String(why?.message ?? why);
+  end(/memory/i.test(said) ? 'out_of_memory' : 'failed', said);
+}
+
+// The browser takes it from pages that nobody sees, and where the graphics card starts anew.
+canvas.addEventListener('webglcontextlost', () => {
+  leave();
+  end('drawing_lost', '');
+});
+
 // --- What is kept between visits: the files of /kept, in the browser's database --------------------------------------
 //
-// An autosave belongs to its tab, under a key of its own, until that tab is gone; the others belong to all tabs.
+// An autosave belongs to its tab, under a key of its own, until that tab is gone; the others belong to all tabs. Hosts
+// without encryption have no locks: there a tab is never known to be gone.
 
 let tab = '';
 const tabs = self.origin !== 'null' && typeof BroadcastChannel === 'function' ? new BroadcastChannel('raywalk') : null;
@@ -51,6 +63,7 @@ const done = (request) => new Promise((resolve, reject) => {
 
 // Holds the lock of this name as long as the page lives; false when another page does not let it go.
 function hold(name) {
+  if (!navigator.locks) return true;
   const patience = AbortSignal.timeout(1000); // a page that is loaded again waits for itself to be gone
   return new Promise((held) => navigator.locks.request(name, { signal: patience }, () => (held(true), new Promise(() => {})))
     .catch(() => held(false)));
@@ -95,8 +108,8 @@ async function recall() {
   const files = new Map();
   try {
     await name_tab();
-    const living = new Set((await navigator.locks.query()).held.map((lock) => lock.name));
-    living.delete('raywalk/' + tab);
+    const held = new Set((await navigator.locks?.query())?.held.map((lock) => lock.name));
+    const lives = (other) => other !== tab && (!navigator.locks || held.has('raywalk/' + other));
     await open_database();
     const store = database.transaction('files', 'readwrite').objectStore('files');
     const [keys, contents] = await Promise.all([done(store.getAllKeys()), done(store.getAll())]);
@@ -104,7 +117,7 @@ async function recall() {
     keys.forEach((key, i) => {
       const [kind, owner] = key.split('/');
       if (kind === 'shared') return files.set(owner, contents[i]);
-      if (living.has('raywalk/' + owner)) return;
+      if (lives(owner)) return;
       adopted.push(contents[i]);
       store.delete(key);
     });
@@ -289,6 +302,7 @@ function leave() {
   keep();
 }
 window.addEventListener('pagehide', leave);
+window.addEventListener('beforeunload', (event) => running && !database && told().unsaved && event.preventDefault());
 document.addEventListener('visibilitychange', () => document.hidden && leave());
 
 // What GLFW's JavaScript leaves out: a drag goes on outside of the page.
@@ -334,6 +348,7 @@ const mirror = new Mirror(text_place, {
     return wrong;
   },
   shown: () => {
+    canvas.classList.toggle('beside', mirror.open);
     header.querySelector('h1').hidden = mirror.open;
     (mirror.open ? text_place.querySelector('h1') : as_text).focus();
     soon();
@@ -356,8 +371,10 @@ canvas.setAttribute('role', 'application');
 const less_motion = matchMedia('(prefers-reduced-motion: reduce)');
 less_motion.addEventListener('change', () => running && less_motion.matches && call('page_act', 'tweens off'));
 
-// Whether this is an element of the page's, to which its keys belong.
-const of_text = (target) => target instanceof Element && target !== canvas && (header.contains(target) || main.contains(target));
+// Whether keys belong to the page: in its own elements, and while the text is open everywhere but in the drawing, for who
+// reads there may have clicked beside all of them.
+const of_text = (target) => target !== canvas &&
+  (mirror.open || (target instanceof Element && (header.contains(target) || main.contains(target))));
 
 // What is left for the drawing, in CSS pixels.
 function canvas_size() {
@@ -398,13 +415,14 @@ for (const type of ['keypress', 'keyup'])
 // Hosts without encryption, and frames, have no clipboard by that name.
 function copy(text) {
   const by_hand = () => {
+    const focused = document.activeElement;
     const field = document.createElement('textarea');
     field.value = text;
     document.body.append(field);
     field.select();
     document.execCommand('copy');
     field.remove();
-    canvas.focus();
+    focused.focus();
   };
   if (navigator.clipboard) navigator.clipboard.writeText(text).catch(by_hand);
   else by_hand();
