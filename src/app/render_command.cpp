@@ -167,9 +167,13 @@ ExitCode render_command(const RenderOptions& options) {
   const std::string samples_instead = "--integrator distributed --spp 64 takes samples instead";
   if (const std::string why = why_no_cones(scene); choices.integrator == Integrator::cones && !why.empty())
     return fail({scene_path(options.scene), 0, 0, "cones cannot be followed here: " + why, samples_instead});
-  // A scene that is walked by beams in the plan may have a picture of rays.
-  if (const std::string why = why_no_space_beams(scene); options.integrator == Integrator::beams && !why.empty())
-    return fail({scene_path(options.scene), 0, 0, "beams cannot be followed here: " + why, samples_instead});
+  if (const std::string why = why_no_space_beams(scene); choices.integrator == Integrator::beams && !why.empty()) {
+    if (options.integrator || is_drawing(options.image))
+      return fail({scene_path(options.scene), 0, 0, "beams cannot be followed here: " + why, samples_instead});
+    // A scene that is walked by beams in the plan may have a picture of rays.
+    if (!options.quiet)
+      note("raywalk render: warning: rays make this picture, for beams cannot be followed here: " + why);
+  }
   choices.samples = options.corner_samples ? 1 : options.samples.value_or(choices.samples);
   choices.sampler = options.sampler.value_or(choices.sampler);
   choices.numerics = options.numerics.value_or(choices.numerics);

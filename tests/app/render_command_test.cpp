@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/catch.h"
+#include "text/file.h"
 
 using namespace raywalk;
 using namespace raywalk::test;
@@ -353,7 +354,17 @@ TEST_CASE("beams make a picture, and a drawing of it; what they cannot do is ref
   refused({classic, "-o", "no.svg"}, "only beams make a drawing of a picture");
   refused({classic, "-o", "no.svg", "--integrator", "beams", "--part", "1/2"}, "a drawing has no parts");
   refused({classic, "-o", "no.svg", "--integrator", "beams", "--stats", "s.json"}, "a drawing has no statistics");
-  refused({"motion_blur", "-o", "no.png", "--integrator", "beams"}, "beams cannot be followed here: ", 1);
+  refused({"motion_blur", "-o", "no.png", "--integrator", "beams"}, "beams cannot be followed here: Rolling Ball moves",
+          1);
+  // A file that asks for them is walked by beams in the plan, and may have a picture of rays.
+  std::string moving = read_file(RAYWALK_SOURCE_DIR "/scenes/motion_blur.toml", 1 << 20).value();
+  moving.replace(moving.find("samples = 64"), 12, "integrator = \"beams\"");
+  folder.write("moving.toml", moving);
+  refused({"moving.toml", "-o", "no.svg"}, "beams cannot be followed here: Rolling Ball moves", 1);
+  const Outcome by_rays = folder.run({"render", "moving.toml", "-o", "rays.pfm", "--size", "9x7"});
+  CHECK(by_rays.exit_code == 0);
+  CHECK(by_rays.err.find("warning: rays make this picture, for beams cannot be followed here: Rolling Ball moves") !=
+        std::string::npos);
   CHECK_FALSE(std::filesystem::exists(folder / "no.svg"));
   CHECK_FALSE(std::filesystem::exists(folder / "no.png"));
 }

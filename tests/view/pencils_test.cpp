@@ -75,6 +75,27 @@ TEST_CASE("what a pencil says of itself is what the true rays do") {
   CHECK(off > 3);
 }
 
+TEST_CASE("a pencil says how many of the true rays go another way, and calls no error 0 that it cannot know") {
+  Scene scene = classic_state().scene();
+  Material chrome;
+  chrome.reflection = Rgbd(1.0);
+  // Smaller than what the pencil's rays see: all of them pass the bead that its own ray is mirrored by.
+  scene.objects = {{"Bead", Sphere<double>{{0, 0, 0}, 0.02}, chrome}, {"Wall", Sphere<double>{{-20, 0, 0}, 5}, {}}};
+  State state = state_of(scene);
+  update(state, action::SetMode{Mode::trace});
+  update(state, action::ShowNeighbours{true});
+  std::size_t mirrored = 0;
+  for (int at = 1; at <= state.walk.timeline->steps(); ++at) {
+    update(state, action::Jump{at});
+    for (const Pencil& pencil : state.pencil.pencils) {
+      if (pencil.stages.size() != 2 || !std::isfinite(pencil.stages.back().length)) continue;
+      ++mirrored;
+      CHECK(pencil.parted == static_cast<int>(std::size(pencil_rays)));
+    }
+  }
+  CHECK(mirrored > 0);
+}
+
 TEST_CASE("a walk of beams, cones or radiosity, and moving, shows no pencils") {
   State state = traced_classic();
   update(state, action::ShowPencils{true});

@@ -41,11 +41,18 @@ void compare(Pencil& pencil, const World<double>& world, double half_angle) {
     const double angle = share * half_angle;
     pencil.truly.push_back(true_neighbour(world, pencil.stages, angle, end_of(last)));
     const std::vector<Vec3d>& way = pencil.truly.back();
-    if (way.size() != pencil.stages.size() + 1 || std::isinf(last.length)) continue;
+    if (std::isinf(last.length)) continue;
+    if (way.size() != pencil.stages.size() + 1) {
+      ++pencil.parted;
+      continue;
+    }
     const Vec3d from = way[way.size() - 2], along = normalize(way.back() - from);
     const Vec3d left(-last.direction.y, last.direction.x, 0), end = last.origin + last.length * last.direction;
     const double forward = dot(along, last.direction);
-    if (!(forward > 0)) continue;
+    if (!(forward > 0)) {
+      ++pencil.parted;
+      continue;
+    }
     const Vec3d met = from + dot(end - from, last.direction) / forward * along;
     const ParaxialRay at = (pencil_transfer(last.length) * last.start)({0, angle});
     pencil.error = std::max(pencil.error, std::abs(dot(met - end, left) - at.offset));
@@ -161,9 +168,13 @@ class PencilPainter {
     const Vec2d along = to - from;
     const Vec2d across = length(along) > 0 ? Vec2d(-along.y, along.x) / length(along) : Vec2d(0, -1);
     painter_.note_beside(painter_.seen_middle(from, to), across.y > 0 ? -across : across, said);
-    if (!pencil.truly.empty() && ends)
-      painter_.note_beside(painter_.seen_end(from, to), across.y > 0 ? across : -across,
-                           fill("plan.pencil_error", language, {{"error", number(pencil.error)}}));
+    if (pencil.truly.empty() || !ends) return;
+    const int all = static_cast<int>(pencil.truly.size());
+    std::string off = pencil.parted < all ? fill("plan.pencil_error", language, {{"error", number(pencil.error)}}) : "";
+    if (pencil.parted > 0)
+      off = fill("plan.pencil_parted", language, {{"parted", pencil.parted}, {"all", all}}) +
+            (off.empty() ? "" : "; " + off);
+    painter_.note_beside(painter_.seen_end(from, to), across.y > 0 ? across : -across, off);
   }
 
   Painter& painter_;

@@ -34,7 +34,8 @@ struct Pencil {
   int ray;                                  ///< index in Timeline::rays()
   std::vector<PencilStage> stages;          ///< its way from EYE
   std::vector<std::vector<Vec3d>> truly{};  ///< of each drawn ray, while they are shown: its true way
-  double error = 0;  ///< the farthest that one of these is from the pencil's ray where it ends, where all get there
+  int parted = 0;                           ///< of these, what meets something else than the pencil's ray, or nothing
+  double error = 0;                         ///< the farthest that one of the others is from the pencil where it ends
 };
 
 struct PencilRoom {
