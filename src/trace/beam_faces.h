@@ -125,7 +125,7 @@ template <class Role>
 /// the eye.
 template <class Role>
 [[nodiscard]] std::vector<LitPiece> open_light(const BeamFaces& faces, const BeamView& view, const WindowPiece& window,
-                                               const BeamFace& from, const Role& role, const Stop& stop = {});
+                                               const BeamFace& from, bool from_inside, const Role& role, const Stop& stop = {});
 
 namespace detail {
 
@@ -158,9 +158,10 @@ void take(std::vector<Piece>& pieces, std::size_t which, const std::vector<Windo
   use(pieces[which]);
 }
 
-/// Whether light on its way to the first may meet the second.
-[[nodiscard]] inline bool is_hidden_by(const BeamFace& face, const BeamFace& other) {
-  return &face != &other && (other.is_flat || face.primitive != other.primitive);
+/// Whether light on its way to the first may meet the second. A round body, which is convex, hides none from its own
+/// outside, and what stands for it must not, for it is shaded as what is round.
+[[nodiscard]] inline bool is_hidden_by(const BeamFace& face, bool from_inside, const BeamFace& other) {
+  return &face != &other && (other.is_flat || from_inside || face.primitive != other.primitive);
 }
 /// What lies inside of all lines is in the shadow of what does this to light.
 inline void darken(std::vector<LitPiece>& pieces, const std::vector<WindowLine>& lines, ShadowRole does) {
@@ -190,10 +191,11 @@ template <class Role>
 std::vector<LitPiece> shadows_on(const BeamFaces& faces, const BeamView& view, const SeenFace& seen,
                                  const BeamLight& light, const Role& role, const Stop& stop) {
   const BeamFace& receiver = faces[seen.face];
+  const bool from_inside = receiver.plane.above(view.eye) < 0;
   std::vector<LitPiece> pieces{{seen.window}};
   std::vector<WindowLine> lines;
   faces.visit(detail::region_to(light, view, seen, receiver.plane), stop, [&](int id) {
-    if (!detail::is_hidden_by(receiver, faces[id])) return infinity<double>;
+    if (!detail::is_hidden_by(receiver, from_inside, faces[id])) return infinity<double>;
     lines.clear();
     detail::add_shadow(lines, view, receiver.plane, light, faces[id]);
     detail::darken(pieces, lines, role(faces[id].primitive));
@@ -204,17 +206,20 @@ std::vector<LitPiece> shadows_on(const BeamFaces& faces, const BeamView& view, c
 
 template <class Role>
 std::vector<LitPiece> open_light(const BeamFaces& faces, const BeamView& view, const WindowPiece& window,
-                                 const BeamFace& from, const Role& role, const Stop& stop) {
+                                 const BeamFace& from, bool from_inside, const Role& role, const Stop& stop) {
   std::vector<LitPiece> pieces{{window}};
   std::vector<WindowLine> lines;
   faces.visit(detail::region_of(view, window), stop, [&](int id) {
-    if (!detail::is_hidden_by(from, faces[id]) || detail::is_edge_on(view.eye, faces[id].plane))
+    const BeamFace& face = faces[id];
+    if (!detail::is_hidden_by(from, from_inside, face) || detail::is_edge_on(view.eye, face.plane))
       return infinity<double>;
+    // A place of what is round lies outside of the faces about it that stand for it.
+    if (!face.is_flat && face.primitive == from.primitive && face.plane.above(view.eye) > 0) return infinity<double>;
     lines.clear();
-    lines.push_back(view.nearness(faces[id].plane));
+    lines.push_back(view.nearness(face.plane));
     lines.back().c -= 1;  // before the light, which is at t = 1
-    detail::add_edges(lines, view, faces[id]);
-    detail::darken(pieces, lines, role(faces[id].primitive));
+    detail::add_edges(lines, view, face);
+    detail::darken(pieces, lines, role(face.primitive));
     return infinity<double>;
   });
   return pieces;

@@ -155,7 +155,7 @@ Found BeamTracer<Watcher>::find_uncovered(const Part& part, const Shadow& shadow
     std::optional<Rgbd> through(Rgbd(1.0));
     if (before && role_of(world_.shadow_roles, primitives_[static_cast<std::size_t>(object)]) == ShadowRole::stops) {
       through.reset();
-    } else if (before || world_.absorbs) {
+    } else if (before || world_.absorbs || !part.at->entering) {  // inside, its own outline may hide the light
       const Ray<double> ray{shadow.ray.origin, detail::in_plan(direction), shadow.ray.departure, shadow.ray.time};
       through = shadow_transmittance(world_, ray, light.t_far(), statistics_.tests, filters_met_, {}, shadow.medium);
     }

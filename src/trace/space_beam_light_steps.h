@@ -155,7 +155,7 @@ auto SpaceBeamTracer<T, Watcher>::arriving_from(const Part& part, const Light& l
       window = halves_of(window, view.line(side_up * face.plane.normal, 1)).inside;
     if (window.empty()) continue;
     std::vector<LitPiece> pieces{{window}};
-    if (world_.occludes) pieces = open_light(faces_, view, window, face, role, stop_);
+    if (world_.occludes) pieces = open_light(faces_, view, window, face, side_up < 0, role, stop_);
     for (const LitPiece& open : pieces) {
       if (open.stopped) continue;
       const Vec3<T> to_light(view.direction(middle_of(open.window)));

@@ -293,6 +293,18 @@ TEST_CASE("a light's width behind an edge and behind a circle is seen as closed 
   CHECK(partly > 3);
 }
 
+TEST_CASE("inside of a circle its outline hides the lights outside, and no light that is inside, too") {
+  Scene scene = penumbra(Sphere<double>{{9, 0, 0}, 0.1}, SphereLight{{-5, 0, 0}, 0.5, 1, {}});
+  scene.objects[0] = {"Room", Sphere<double>{{0, 0, 0}, 2}, scene.objects[0].material};
+  for (const double x : {-5.0, 0.5})
+    for (const bool tube : {true, false}) {
+      CAPTURE(x, tube);
+      scene.lights[0].kind = SphereLight{{x, 0, 0}, 0.2, 1, {}};
+      if (!tube) scene.lights[0].kind = RectangleLight{{x, -0.2, -1}, {0, 0.4, 0}, {0, 0, 2}, 1, {}};
+      for (const Rgbd& shade : shades_of_strip(scene)) CHECK((shade.x > 0.05) == (x > 0));
+    }
+}
+
 TEST_CASE("a light that sinks into the plane of a surface lights it by what lies before it") {
   // Along y from -1 to 2, and the wall is seen from below y = 0.
   const RectangleLight post{{4, -1, -1}, {0, 3, 0}, {0, 0, 2}, 4, {}};

@@ -211,13 +211,13 @@ TEST_CASE("a face is dark where another one stands before the light, a point or 
   CHECK(dark > compared / 20);
 }
 
-TEST_CASE("what filters light only weakens it, what is ignored does neither, and a round body does not shade itself") {
+TEST_CASE("what filters light only weakens it, what is ignored does neither, and a round body shades itself inside alone") {
   const auto square = [](double z, double size, int primitive) {
     return face_of({{-size, -size, z}, {size, -size, z}, {size, size, z}, {-size, size, z}}, primitive);
   };
   std::vector<BeamFace> list{square(0, 3, 0), square(1, 0.5, 1)};
-  const BeamView view = view_from({0.3, 0.2, 5}, 0.5);
-  const BeamLight light{normalize(Vec3d(1, 0.3, 1)), true};
+  BeamView view = view_from({0.3, 0.2, 5}, 0.5);
+  BeamLight light{normalize(Vec3d(1, 0.3, 1)), true};
   const auto shadow = [&](ShadowRole does) {
     const BeamFaces faces(list);
     double stopped = 0, weakened = 0;
@@ -237,6 +237,12 @@ TEST_CASE("what filters light only weakens it, what is ignored does neither, and
   list[0].is_flat = list[1].is_flat = false;
   list[1].primitive = 0;
   CHECK(shadow(ShadowRole::stops) == std::pair(0.0, 0.0));
+  // Seen from behind, which is from inside.
+  list[1] = square(-1, 0.5, 0);
+  list[1].is_flat = false;
+  view.eye.z = -view.eye.z, view.corner.z = -view.corner.z;
+  light.place.z = -light.place.z;
+  CHECK(shadow(ShadowRole::stops).first > 0.001);
 }
 
 TEST_CASE("of a rectangle of light is open what nothing stands before") {
@@ -249,7 +255,7 @@ TEST_CASE("of a rectangle of light is open what nothing stands before") {
     const Vec3d eye{draw(-1, 1), draw(-1, 1), -1};
     const Vec3d corner = draw.place(2) + Vec3d(0, 0, 3), u = draw.place(1), v = draw.place(1);
     const BeamView view{eye, corner - eye, u, v};
-    const std::vector<LitPiece> pieces = open_light(faces, view, whole, from, all_stop);
+    const std::vector<LitPiece> pieces = open_light(faces, view, whole, from, false, all_stop);
     CHECK(area_of_all(pieces) == Approx(1).epsilon(1e-12));
     for (int i = 0; i < 200; ++i) {
       const Vec2d place{draw(0, 1), draw(0, 1)};
@@ -293,7 +299,7 @@ TEST_CASE("beams stop between faces when they are asked to") {
   const SeenFace on{whole, 1, view.nearness(faces[1].plane)};
   CHECK_THROWS_AS(shadows_on(faces, view, on, {{0, 1, 0}}, stops, stop), Stopped);
   BeamFace from;
-  CHECK_THROWS_AS(open_light(faces, view, whole, from, stops, stop), Stopped);
+  CHECK_THROWS_AS(open_light(faces, view, whole, from, false, stops, stop), Stopped);
 }
 
 }  // namespace raywalk::beam_faces_test

@@ -201,6 +201,23 @@ TEST_CASE("the squares of a checker are cut, in mirrors too, and far away they h
     CHECK(dust.at(column, 7).y == Approx((0.9 + 0.3) / 2).epsilon(0).margin(1e-9));
 }
 
+TEST_CASE("inside of what is round its walls hide the lights outside, and no light that is inside, too") {
+  Scene scene = empty_scene();
+  scene.camera.eye = {0, -0.5, 0};
+  scene.objects = {{"Room", Sphere<double>{{0, 0, 0}, 2}, matt(1)}};
+  const auto brightest_and_darkest = [&](const AnyLight& kind) {
+    scene.lights = {{"Lamp", Rgbd(1.0), kind}};
+    const auto picture = picture_of<double>(scene, 16, 16);
+    double most = 0, least = infinity<double>;
+    for (const Rgbd& pixel : picture.pixels) most = std::max(most, pixel.x), least = std::min(least, pixel.x);
+    return std::pair(most, least);
+  };
+  CHECK(brightest_and_darkest(PointLight{{-5, 0, 0}, {}}).first == 0);
+  CHECK(brightest_and_darkest(RectangleLight{{-5, -1, -1}, {0, 2, 0}, {0, 0, 2}, 1, {}}).first == 0);
+  CHECK(brightest_and_darkest(PointLight{{0.3, 0.2, 0.1}, {}}).second > 0.1);
+  CHECK(brightest_and_darkest(RectangleLight{{0.3, -0.1, -0.1}, {0, 0.2, 0}, {0, 0, 0.2}, 1, {}}).second > 0.1);
+}
+
 TEST_CASE("a point light's shadow on a floor is as large as that of its triangle") {
   Scene scene = empty_scene();
   scene.camera.eye = {0, 0, 6};

@@ -5,8 +5,9 @@ set(page "${CMAKE_SOURCE_DIR}/src/gui/web")
 # The path tracer, photons, radiosity and single precision are small rather than fast, too, and take about half and two
 # thirds as long again: so the site stays below 1.5 MB.
 set(smallest
-  math/elementary/big_float.cpp math/exact.cpp math/motion.cpp
-  shape/exactly.cpp shape/mesh.cpp
+  math/elementary/arc_tangent.cpp math/elementary/big_float.cpp math/elementary/trigonometric.cpp math/exact.cpp
+  math/motion.cpp math/sampler.cpp math/sampling.cpp
+  shape/exactly.cpp shape/mesh.cpp shape/polygon.cpp
   accel/accelerator_float.cpp accel/accelerator_naive.cpp accel/binary_tree.cpp accel/library.cpp
   accel/mesh_copies.cpp accel/primitives.cpp accel/reinsertion.cpp accel/search_record.cpp accel/spatial_split.cpp
   accel/structures.cpp accel/watched.cpp accel/wide_tree.cpp
@@ -15,10 +16,10 @@ set(smallest
   trace/cone_scene.cpp trace/dipole_limits.cpp trace/emitters.cpp trace/form_factor.cpp trace/kernel_faulty.cpp
   trace/kernel_filtering.cpp trace/kernel_float.cpp trace/kernel_naive.cpp trace/kernel_watched.cpp
   trace/microfacets.cpp trace/outlines.cpp trace/patch_cutter.cpp trace/patch_elements.cpp trace/patch_light.cpp
-  trace/patches.cpp trace/photon_kernel.cpp trace/photon_lights.cpp trace/photon_map.cpp trace/radiosity_kernel.cpp
-  trace/radiosity_pass.cpp trace/ray_cone.cpp trace/rough_dielectric.cpp trace/scene_kernel.cpp trace/sky_light.cpp
-  trace/space_beam_kernel.cpp trace/surface_maps.cpp trace/texture_pyramid.cpp trace/unfolded_plan.cpp
-  trace/world.cpp)
+  trace/patches.cpp trace/photon_kernel.cpp trace/photon_lights.cpp trace/photon_limits.cpp trace/photon_map.cpp
+  trace/radiosity_kernel.cpp trace/radiosity_pass.cpp trace/ray_cone.cpp trace/ray_generator.cpp trace/recursion.cpp
+  trace/rough_dielectric.cpp trace/scene_kernel.cpp trace/sky_light.cpp trace/space_beam_kernel.cpp
+  trace/surface_maps.cpp trace/texture_pyramid.cpp trace/unfolded_plan.cpp trace/world.cpp)
 list(TRANSFORM smallest PREPEND "${CMAKE_SOURCE_DIR}/src/")
 set_source_files_properties(${smallest} PROPERTIES COMPILE_OPTIONS -Oz SKIP_PRECOMPILE_HEADERS ON)
 target_compile_definitions(raywalk_trace PUBLIC RAYWALK_FEW_KERNELS)
@@ -88,7 +89,7 @@ add_custom_command(
   ${subset_fonts}
   COMMAND "${CMAKE_COMMAND}" -E copy ${scenes} "${data}/scenes"
   COMMAND "${CMAKE_COMMAND}" -E copy_directory "${CMAKE_SOURCE_DIR}/lessons" "${data}/lessons"
-  COMMAND "${CMAKE_COMMAND}" -E rm "${data}/lessons/README.md"
+  COMMAND "${CMAKE_COMMAND}" -E rm -r "${data}/lessons/README.md" "${data}/lessons/words" # for `lesson check` alone
   COMMAND "${CMAKE_COMMAND}" -E copy ${texts} "${data}/text"
   COMMAND "${CMAKE_COMMAND}" -E copy "${licences}" "${data}"
   COMMAND "${CMAKE_COMMAND}" -E touch "${data}.done"
