@@ -125,7 +125,8 @@ template <class Role>
 /// the eye.
 template <class Role>
 [[nodiscard]] std::vector<LitPiece> open_light(const BeamFaces& faces, const BeamView& view, const WindowPiece& window,
-                                               const BeamFace& from, bool from_inside, const Role& role, const Stop& stop = {});
+                                               const BeamFace& from, bool from_inside, const Role& role,
+                                               const Stop& stop = {});
 
 namespace detail {
 
@@ -163,13 +164,15 @@ void take(std::vector<Piece>& pieces, std::size_t which, const std::vector<Windo
 [[nodiscard]] inline bool is_hidden_by(const BeamFace& face, bool from_inside, const BeamFace& other) {
   return &face != &other && (other.is_flat || from_inside || face.primitive != other.primitive);
 }
+inline void darken(LitPiece& piece, ShadowRole does) {
+  if (does != ShadowRole::ignored) (does == ShadowRole::filters ? piece.weakened : piece.stopped) = true;
+}
 /// What lies inside of all lines is in the shadow of what does this to light.
 inline void darken(std::vector<LitPiece>& pieces, const std::vector<WindowLine>& lines, ShadowRole does) {
   if (lines.empty() || does == ShadowRole::ignored) return;
   for (std::size_t i = 0, before = pieces.size(); i < before; ++i)
     if (!pieces[i].stopped && !(pieces[i].weakened && does == ShadowRole::filters))
-      take(pieces, i, lines,
-           [&](LitPiece& piece) { (does == ShadowRole::filters ? piece.weakened : piece.stopped) = true; });
+      take(pieces, i, lines, [&](LitPiece& piece) { darken(piece, does); });
 }
 
 /// The edges of a face, seen from an eye that does not lie in its plane.
@@ -193,11 +196,15 @@ std::vector<LitPiece> shadows_on(const BeamFaces& faces, const BeamView& view, c
   const BeamFace& receiver = faces[seen.face];
   const bool from_inside = receiver.plane.above(view.eye) < 0;
   std::vector<LitPiece> pieces{{seen.window}};
+  const BeamPlane& on = receiver.plane;
+  // What is round may still be shaded as if it faced a light that lies behind the face that stands for it.
+  if (from_inside && !receiver.is_flat && (light.is_distant ? dot(on.normal, light.place) : on.above(light.place)) > 0)
+    detail::darken(pieces[0], role(receiver.primitive));
   std::vector<WindowLine> lines;
-  faces.visit(detail::region_to(light, view, seen, receiver.plane), stop, [&](int id) {
+  faces.visit(detail::region_to(light, view, seen, on), stop, [&](int id) {
     if (!detail::is_hidden_by(receiver, from_inside, faces[id])) return infinity<double>;
     lines.clear();
-    detail::add_shadow(lines, view, receiver.plane, light, faces[id]);
+    detail::add_shadow(lines, view, on, light, faces[id]);
     detail::darken(pieces, lines, role(faces[id].primitive));
     return infinity<double>;
   });
@@ -209,6 +216,7 @@ std::vector<LitPiece> open_light(const BeamFaces& faces, const BeamView& view, c
                                  const BeamFace& from, bool from_inside, const Role& role, const Stop& stop) {
   std::vector<LitPiece> pieces{{window}};
   std::vector<WindowLine> lines;
+  if (from_inside && !from.is_flat) detail::darken(pieces, {view.line(from.plane.normal, 1)}, role(from.primitive));
   faces.visit(detail::region_of(view, window), stop, [&](int id) {
     const BeamFace& face = faces[id];
     if (!detail::is_hidden_by(from, from_inside, face) || detail::is_edge_on(view.eye, face.plane))
