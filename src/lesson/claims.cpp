@@ -71,7 +71,7 @@ class ClaimsChecker {
     scene.render.numerics = Numerics::naive;  // as with the fault
     const auto walked = [&](const Recording& how) {
       return here().walk->pixel ? record_pixel(scene, scene.image, at.column, at.row, how)
-                              : record_cell(scene, at.column, how);
+                                : record_cell(scene, at.column, how);
     };
     Recording broken;
     broken.fault = step.fault;

@@ -211,7 +211,8 @@ TEST_CASE("a face is dark where another one stands before the light, a point or 
   CHECK(dark > compared / 20);
 }
 
-TEST_CASE("what filters light only weakens it, what is ignored does neither, and a round body shades itself inside alone") {
+TEST_CASE(
+    "what filters light only weakens it, what is ignored does neither, and a round body shades itself inside alone") {
   const auto square = [](double z, double size, int primitive) {
     return face_of({{-size, -size, z}, {size, -size, z}, {size, size, z}, {-size, size, z}}, primitive);
   };

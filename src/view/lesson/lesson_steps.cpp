@@ -176,9 +176,8 @@ bool open_lesson(State& state, const std::string& name, std::optional<int> step)
   const Mode mode = state.walk.mode;
   const auto opened = std::make_shared<OpenedLesson>(std::move(*lesson));
   // Some play for seconds. Cancelled, the lesson is not opened, and what it then plays is dropped.
-  run_detached(state.document.stop, [opened, folder = sitting.scenes_folder] {
-    opened->played = play_lesson(opened->lesson, folder);
-  });
+  run_detached(state.document.stop,
+               [opened, folder = sitting.scenes_folder] { opened->played = play_lesson(opened->lesson, folder); });
   if (opened->played.steps.empty()) {
     complain(state, opened->played.errors.empty() ? name : opened->played.errors.front().text());
     return false;
