@@ -121,7 +121,8 @@ TEST_CASE("an object is added, named, moved by a number, removed, and all of it 
   raywalk.type("Moon");
   raywalk.key("Tab");
   REQUIRE(raywalk.until([](const Json& report) { return report["objects"].contains("Moon"); }));
-  raywalk.type("3");
+  walk.hand({"sleep", "0.3"});  // the next field takes the keyboard a frame after the name has counted
+  raywalk.retype("3");
   raywalk.key("Return");
   REQUIRE(raywalk.until([](const Json& report) { return report["objects"]["Moon"]["plan"][0] == 3.0; }));
   walk.keep_picture("w4-moon");
