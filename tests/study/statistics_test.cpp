@@ -193,7 +193,7 @@ TEST_CASE("the interval excludes what theory expects exactly when the law does n
 
 TEST_CASE("of forty true laws, all together are condemned in at most 5% of the studies") {
   int condemned = 0;
-  constexpr int studies = 100;
+  constexpr int studies = 200;
   for (int study = 0; study < studies; ++study) {
     std::vector<Law> laws;
     for (int i = 0; i < 40; ++i) {
