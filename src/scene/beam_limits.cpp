@@ -89,8 +89,15 @@ std::string why_not(const std::vector<Object>& objects) {
 
 std::string why_no_space_beams(const Scene& scene) {
   if (std::string why = why_not(scene.objects); !why.empty()) return why;
-  if (faces_of(scene.objects) > most_faces) return "the scene has more than 200,000 faces";
-  return {};
+  double sum = 0, most = 0;
+  const Object* largest = nullptr;
+  for (const Object& object : scene.objects) {
+    const double faces = faces_of(object);
+    sum += faces;
+    if (faces > most) most = faces, largest = &object;
+  }
+  if (!(sum > most_faces)) return {};
+  return "the scene has more than 200,000 faces, and " + largest->name + " the most of them";
 }
 
 }  // namespace raywalk

@@ -470,7 +470,7 @@ TEST_CASE("beams count the faces that polygons and prisms are cut into") {
   CHECK(why_no_space_beams(scene).empty());
   scene.objects[0].shape = comb(1000);
   REQUIRE(beam_faces_of(scene).size() > 200000);
-  CHECK(why_no_space_beams(scene) == "the scene has more than 200,000 faces");
+  CHECK(why_no_space_beams(scene) == "the scene has more than 200,000 faces, and Comb the most of them");
   Polygon<double> polygon;
   for (const Vec2d& corner : comb(1000).corners) polygon.outline.push_back({corner, 0});
   scene.objects[0].shape = polygon;
