@@ -4,6 +4,7 @@
 #include "trace/ray_cone.h"
 
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -22,6 +23,7 @@ struct ConeFace {
   std::vector<std::vector<Vec3d>> loops;  ///< the outline, and holes
   Vec3d normal;                           ///< of unit length, outward
   int part;                               ///< of the shape's intersections
+  std::optional<ConeBall> disc{};         ///< what the outline stands for: its centre and radius
 };
 struct ConeFaces {
   std::vector<ConeFace> faces;

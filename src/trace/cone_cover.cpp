@@ -226,7 +226,32 @@ double height_over(const ConeFace& face, const RayCone& cone) {
 /// Which rays of a cone meet a face: all, or those that go into its solid or come out of it there.
 enum class Crossing { any, in, out };
 
+/// A disc square to the axis is one in the unit disc's plane, too: its share has a closed form.
+bool is_square_disc(const ConeFace& face, const RayCone& cone) {
+  constexpr double square = 1e-9;  // a tilt of this changes the share by no more
+  return face.disc && !cone.flat && length(cross(cone.axis, face.normal)) < square;
+}
+
+std::optional<ConePart> covered_by_square_disc(const ConeFace& face, const RayCone& cone, double depth) {
+  const Vec3d to_centre = face.disc->centre - cone.origin;
+  const double along = dot(to_centre, cone.axis), width = cone.radius_at(along);
+  if (!(along > 0 && along < depth)) return std::nullopt;
+  const Vec2d off{dot(to_centre, cone.right), dot(to_centre, cone.up)};
+  const double distance = length(off), radius = face.disc->radius, narrow = 1e-9 * cone.radius;
+  ConePart part;
+  part.part = face.part;
+  part.t = along;
+  // Where the cone comes to a point, that is in the disc or not.
+  if (std::abs(width) <= narrow) return distance < radius ? std::optional(part) : std::nullopt;
+  part.cover = share_of_disc(distance / std::abs(width), radius / std::abs(width));
+  if (!(part.cover > least_share)) return std::nullopt;
+  const Vec2d direction = distance > 0 ? off / distance : Vec2d(1, 0);
+  place_on(part, direction, (distance - radius) / width, (distance + radius) / width);
+  return part;
+}
+
 std::optional<ConePart> covered_by(const ConeFace& face, const RayCone& cone, Crossing crossing, double depth) {
+  if (is_square_disc(face, cone)) return covered_by_square_disc(face, cone, depth);
   // Rays cross a plane as seen from the point that they come from or go to, which is not where they start: of
   // direction(u) the part along the normal is `across` / radius_at(depth of the plane), for all u.
   const double across = cone.radius * dot(cone.axis, face.normal) - cone.spread * height_over(face, cone);

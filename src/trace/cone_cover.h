@@ -7,7 +7,8 @@
 // covered rays at random. That is exact for one object before another that fills the cone. Where two share an edge it
 // is not: of two halves that meet in the middle of a cone, the first gets 1/2, the second 1/4, and 1/4 sees through.
 // The faces of one convex solid never hide each other; their shares are added. A sphere seen aslant is an ellipse, and
-// is taken as the disc that has its extent in the direction away from the axis.
+// is taken as the disc that has its extent in the direction away from the axis: too large, by up to 0.002 of a cone of
+// a spread of 0.2. A disc square to the axis is exact, another one has 64 sides.
 
 #include "accel/query.h"
 #include "trace/cone_bodies.h"

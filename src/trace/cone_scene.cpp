@@ -82,7 +82,9 @@ ConeFaces faces_of(const Disk<double>& disk) {
     const auto [sin, cos] = portable::sin_cos(i * step);
     outline.push_back(disk.centre + radius * about.across({cos, sin}));
   }
-  return {{face_of(std::move(outline), normal, 0)}, false};
+  ConeFace face = face_of(std::move(outline), normal, 0);
+  face.disc = ConeBall{disk.centre, disk.radius};
+  return {{std::move(face)}, false};
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 #pragma once
-// A scene as cones meet it. A disc is taken as a polygon of 64 corners, of the same area.
+// A scene as cones meet it. A disc that a cone meets aslant is taken as a polygon of 64 corners, of the same area.
 
 #include "scene/scene.h"
 #include "trace/cone_bodies.h"
