@@ -102,19 +102,55 @@ Estimate against_one(const std::string& method, const std::vector<Trial>& trials
                    [&](const std::vector<int>& rounds) { return many.at(samples, rounds) / wide.at(0, rounds); });
 }
 
+/// The same at equal time: of as many samples as take as long as one beam or cone, by their curve of error against
+/// time, straight in logarithms from point to point, and beyond its ends.
+Estimate at_equal_time(const std::string& method, const std::vector<Trial>& trials, const std::string& subject) {
+  const auto seconds = [](const Trial& trial) { return trial.cost.seconds; };
+  const std::string one = method + " " + subject, other = "samples " + subject;
+  const ErrorCurve wide(trials, one), wide_times(trials, one, seconds, Pool::median);
+  const ErrorCurve many(trials, other), many_times(trials, other, seconds, Pool::median);
+  return bootstrap(wide.rounds(), [&](const std::vector<int>& rounds) {
+    const double time = wide_times.at(0, rounds);
+    std::size_t to = many.knobs().size() - 1;
+    while (to > 1 && many_times.at(to - 1, rounds) > time) --to;
+    const auto log_of = [&](const ErrorCurve& curve, std::size_t knob) { return std::log(curve.at(knob, rounds)); };
+    const double from = log_of(many_times, to - 1);
+    const double way = (std::log(time) - from) / (log_of(many_times, to) - from);
+    return std::exp(std::lerp(log_of(many, to - 1), log_of(many, to), way)) / wide.at(0, rounds);
+  });
+}
+
+/// What is clear by factors, for other machines have other times. Of two sheets that share an edge samples err by
+/// nothing.
+struct EqualTime {
+  const char *method, *subject, *says;
+  LawKind kind;
+  double expected;
+};
+constexpr EqualTime at_equal_times[] = {
+    {"cones", "edge", "one cone errs less than three times as much as samples", LawKind::at_least, 1.0 / 3},
+    {"cones", "crumbs", "one cone errs more than samples", LawKind::at_most, 1},
+    {"cones", "curved mirror", "one cone errs less than three times as much as samples", LawKind::at_least, 1.0 / 3},
+    {"beams", "edge", "one beam errs less than samples", LawKind::at_least, 1},
+    {"beams", "crumbs", "four beams err less than samples", LawKind::at_least, 1},
+    {"beams", "curved mirror", "one beam errs more than twice as much as samples", LawKind::at_most, 0.5},
+};
+
 Report conclude_width(const std::vector<Trial>& trials) {
   Report report;
   const std::array texts{
       "A glowing disc, of which a pixel at its edge sees a part. A beam is cut by it exactly, but for the 64 sides "
-      "that stand for a circle. A cone has its share in closed form; what it errs by is that a cone is round and a "
-      "pixel is square. Samples have to be many to say as much.",
+      "that stand for a circle. A cone meets the same sides; what it errs by is that a cone is round and a pixel is "
+      "square. In the time of one cone samples say about as much; in that of one beam they err more.",
       "Two sheets side by side, with nothing between them. Samples are right, and so are beams, which know where each "
       "sheet is. A cone knows how much each covers, not where, and takes the second to cover a part of what the first "
       "has left: of two halves a quarter is lost.",
-      "Four small discs in each pixel. A beam is cut by all of them, and pays for each. A cone takes each as if it had "
-      "nothing to do with the others, although none hides another; more cones a pixel see fewer each.",
+      "Four small discs in each pixel. A beam is cut by all of them, and pays for each, but in as long samples err "
+      "more. A cone takes each as if it had nothing to do with the others, although none hides another; more cones a "
+      "pixel see fewer each. It pays for each, too, and in as long samples err less.",
       "The edge of a ceiling in a ball that mirrors. No beam comes back from a ball as a beam: one ray from the middle "
-      "of each part has to do, and the edge is as jagged as by samples. A cone only grows wider."};
+      "of each part has to do, and the edge is as jagged as by samples, which take less time. A cone only grows wider, "
+      "and errs about as much as samples that take as long."};
   for (std::size_t i = 0; i < subjects.size(); ++i) {
     Plot plot;
     plot.title = std::string("Error against time: ") + subjects[i];
@@ -139,6 +175,9 @@ Report conclude_width(const std::vector<Trial>& trials) {
                          ErrorCurve(trials, "beams shared edge").estimate(0), 0, "Its parts are the pixel."});
   report.laws.push_back({"beams, curved mirror", "one beam errs more than 16 samples", LawKind::at_most, 1,
                          against_one("beams", trials, "curved mirror", 2), 0, "One ray of each part is reflected."});
+  for (const EqualTime& at : at_equal_times)
+    report.laws.push_back({std::string(at.method) + ", " + at.subject + ", equal time", at.says, at.kind, at.expected,
+                           at_equal_time(at.method, trials, at.subject), 0, "Its time is not that of other machines."});
   const ErrorCurve leak(trials, "cones shared edge");
   report.laws.push_back({"cones, shared edge", "an edge that two share is seen through", LawKind::at_least, 0.01,
                          leak.estimate(0), 0, "Shares would have to say where they are."});
@@ -148,7 +187,7 @@ Report conclude_width(const std::vector<Trial>& trials) {
 }  // namespace
 
 Experiment width_experiment(Effort effort) {
-  const int most = by_effort(effort, 64, 64, 16);
+  const int most = by_effort(effort, 1024, 256, 64);
   Experiment e;
   e.number = "E15", e.name = "width", e.title = "Rays with width";
   e.question = "Is one beam or cone a pixel worth more than many rays, and where is it not?";
