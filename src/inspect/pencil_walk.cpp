@@ -16,9 +16,10 @@ constexpr double as_recorded = 1e-5;
 /// To the left of a direction in the plan.
 Vec3d left_of(const Vec3d& direction) { return {-direction.y, direction.x, 0}; }
 
-/// What a surface turns the outward normal by, per length along it in the plan.
-double curvature_in_plan(const World<double>& world, const SurfaceHit<double>& surface) {
-  const Vec3d along = left_of(surface.point.normal);
+const Vec3d up(0, 0, 1);
+
+/// What a surface turns the outward normal by, per length along it this way.
+double curvature_along(const Vec3d& along, const World<double>& world, const SurfaceHit<double>& surface) {
   const Vec3d turn = world.accelerator.primitives().normal_derivative(surface.hit.primitive, surface.point,
                                                                       surface.hit.part, 0, along);
   return dot(turn, along);
@@ -52,25 +53,30 @@ std::vector<PencilStage> pencil_of(const World<double>& world, const RayGenerato
       const bool entering = dot(left->point.normal, before.direction) <= 0;
       const Vec3d normal = entering ? left->point.normal : -left->point.normal;
       const double cos_in = -dot(before.direction, normal);
-      stage.curvature = (entering ? 1 : -1) * curvature_in_plan(world, *left);
+      const double side = entering ? 1 : -1, upright = side * curvature_along(up, world, *left);
+      stage.curvature = side * curvature_along(left_of(left->point.normal), world, *left);
       stage.n = before.n;
-      PencilMatrix bent;
+      PencilMatrix bent, bent_across;
       if (own.kind == RayKind::reflect) {
         stage.reflected = true;
         // Another direction than the mirrored one was drawn from a lobe.
         if (length(stage.direction - reflect(before.direction, normal)) > as_recorded) return {};
         bent = pencil_mirror(ConePlane::of_incidence, stage.curvature, cos_in);
+        bent_across = pencil_mirror(ConePlane::across, upright, cos_in);
       } else {
         if (formed == nullptr || !formed->snell) return {};
         const SnellNumbers& snell = *formed->snell;
         stage.n = snell.n2;
         bent = pencil_refraction(ConePlane::of_incidence, stage.curvature, snell.n1, snell.n2, snell.cos_in,
                                  snell.cos_out);
+        bent_across = pencil_refraction(ConePlane::across, upright, snell.n1, snell.n2, snell.cos_in, snell.cos_out);
         stages.back().n = snell.n1;
       }
       stage.start = bent * pencil_transfer(before.length) * before.start;
+      stage.start_across = bent_across * pencil_transfer(before.length) * before.start_across;
     }
     stage.focus = focus_of_point(stage.start);
+    stage.focus_across = focus_of_point(stage.start_across);
     left = find_surface(world, Ray<double>{stage.origin, stage.direction, departure, time});
     if (left) {
       stage.object = world.object(left->hit.primitive);
@@ -83,11 +89,12 @@ std::vector<PencilStage> pencil_of(const World<double>& world, const RayGenerato
 }
 
 std::vector<Vec3d> true_neighbour(const World<double>& world, const std::vector<PencilStage>& stages, double angle,
-                                  double last_length) {
+                                  double last_length, ConePlane plane) {
   std::vector<Vec3d> points;
   if (stages.empty()) return points;
   const auto [sin, cos] = portable::sin_cos(angle);
-  Vec3d origin = stages[0].origin, direction = cos * stages[0].direction + sin * left_of(stages[0].direction);
+  const Vec3d beside = plane == ConePlane::across ? up : left_of(stages[0].direction);
+  Vec3d origin = stages[0].origin, direction = cos * stages[0].direction + sin * beside;
   Departure departure{};
   for (std::size_t i = 0; i < stages.size(); ++i) {
     points.push_back(origin);

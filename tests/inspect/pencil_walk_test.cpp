@@ -23,21 +23,22 @@ struct Beside {
   double offset, slope;
 };
 std::optional<Beside> beside(const World<double>& world, const std::vector<PencilStage>& stages, double angle,
-                             double last_length) {
-  const std::vector<Vec3d> way = true_neighbour(world, stages, angle, last_length);
+                             double last_length, ConePlane plane) {
+  const std::vector<Vec3d> way = true_neighbour(world, stages, angle, last_length, plane);
   if (way.size() != stages.size() + 1) return std::nullopt;
   const PencilStage& last = stages.back();
-  const Vec3d from = way[way.size() - 2], along = normalize(way.back() - from), left = left_of(last.direction);
+  const Vec3d from = way[way.size() - 2], along = normalize(way.back() - from);
+  const Vec3d side = plane == ConePlane::across ? Vec3d(0, 0, 1) : left_of(last.direction);
   const double forward = dot(along, last.direction);
   const Vec3d end = last.origin + last_length * last.direction;
   const Vec3d met = from + dot(end - from, last.direction) / forward * along;
-  return Beside{dot(met - end, left), dot(along, left) / forward};
+  return Beside{dot(met - end, side), dot(along, side) / forward};
 }
 
 }  // namespace
 
 TEST_CASE("the matrix of each ray is what its neighbours do, to first order") {
-  int followed = 0, bent = 0, curved = 0, folded = 0;
+  int followed = 0, bent = 0, curved = 0, folded = 0, astigmatic = 0;
   for (const std::string name : {"classic", "mirrors", "glass", "glass_in_water", "whitted"}) {
     Scene scene = shipped_scene(name);
     scene.render.integrator = Integrator::whitted;
@@ -50,36 +51,42 @@ TEST_CASE("the matrix of each ray is what its neighbours do, to first order") {
       CAPTURE(name, ray, stages.size());
       REQUIRE(stages.back().ray == ray);
       const PencilStage& last = stages.back();
-      // From one medium to another light is neither lost nor gained between rays.
-      CHECK(std::abs(last.start.determinant()) == Approx(stages.front().n / last.n).epsilon(1e-9));
       const double reach = std::isfinite(last.length) ? last.length : 3.0;
       constexpr double angle = 1e-6;
-      const auto one = beside(world, stages, angle, reach), other = beside(world, stages, -angle, reach);
-      if (!one || !other) continue;  // one of them meets something else: the axis grazes an edge
-      // By central differences, whose error is of the third order.
-      const ParaxialRay at = (pencil_transfer(reach) * last.start)({0, angle});
-      const double offset = (one->offset - other->offset) / 2, slope = (one->slope - other->slope) / 2;
-      const double size =
-          angle *
-          (1 + std::abs(last.start.a) + std::abs(last.start.b) + std::abs(last.start.c) + std::abs(last.start.d)) *
-          (1 + reach);
-      CHECK(std::abs(offset - at.offset) < 1e-4 * size);
-      CHECK(std::abs(slope - at.slope) < 1e-4 * size);
-      ++followed;
-      bent += stages.size() > 1;
-      for (const PencilStage& stage : stages) curved += stage.curvature != 0;
-      if (last.focus && stages.size() > 1 && std::abs(*last.focus) < 20) {
-        // There the neighbours cross, before the ray or behind it.
-        const double cross_at = reach - offset / slope;
-        CHECK(cross_at == Approx(*last.focus).margin(1e-3 * (1 + reach)));
-        ++folded;
+      for (const ConePlane plane : {ConePlane::of_incidence, ConePlane::across}) {
+        const bool in_plan = plane == ConePlane::of_incidence;
+        const PencilMatrix& start = in_plan ? last.start : last.start_across;
+        const std::optional<double>& focus = in_plan ? last.focus : last.focus_across;
+        // From one medium to another light is neither lost nor gained between rays.
+        CHECK(std::abs(start.determinant()) == Approx(stages.front().n / last.n).epsilon(1e-9));
+        const auto one = beside(world, stages, angle, reach, plane),
+                   other = beside(world, stages, -angle, reach, plane);
+        if (!one || !other) continue;  // one of them meets something else: the axis grazes an edge
+        // By central differences, whose error is of the third order.
+        const ParaxialRay at = (pencil_transfer(reach) * start)({0, angle});
+        const double offset = (one->offset - other->offset) / 2, slope = (one->slope - other->slope) / 2;
+        const double size =
+            angle * (1 + std::abs(start.a) + std::abs(start.b) + std::abs(start.c) + std::abs(start.d)) * (1 + reach);
+        CHECK(std::abs(offset - at.offset) < 1e-4 * size);
+        CHECK(std::abs(slope - at.slope) < 1e-4 * size);
+        ++followed;
+        bent += stages.size() > 1;
+        for (const PencilStage& stage : stages) curved += stage.curvature != 0;
+        if (focus && stages.size() > 1 && std::abs(*focus) < 20) {
+          // There the neighbours cross, before the ray or behind it.
+          const double cross_at = reach - offset / slope;
+          CHECK(cross_at == Approx(*focus).margin(1e-3 * (1 + reach)));
+          ++folded;
+          astigmatic += last.focus && std::abs(*last.focus - *last.focus_across) > 0.1;
+        }
       }
     }
   }
-  CHECK(followed > 200);
-  CHECK(bent > 60);
-  CHECK(curved > 60);
-  CHECK(folded > 30);
+  CHECK(followed > 400);
+  CHECK(bent > 120);
+  CHECK(curved > 120);
+  CHECK(folded > 60);
+  CHECK(astigmatic > 20);
 }
 
 TEST_CASE("there is no pencil about a ray that has a width, goes to a light, or was drawn at random") {

@@ -53,6 +53,19 @@ TEST_CASE("pencils are shown for the pixel at work, and hidden again") {
   CHECK(straight_lines_in(state) == before);
 }
 
+TEST_CASE("a stroke stands where the rays above and below a pencil's meet") {
+  State state = traced_classic();
+  update(state, action::ShowPencils{true});
+  int strokes = 0;
+  for (int at = 1; at <= state.walk.timeline->steps(); at += 7) {
+    update(state, action::Jump{at});
+    State without = state;
+    for (Pencil& pencil : without.pencil.pencils) pencil.stages.back().focus_across.reset();
+    strokes += straight_lines_in(without) < straight_lines_in(state);
+  }
+  CHECK(strokes > 3);
+}
+
 TEST_CASE("what a pencil says of itself is what the true rays do") {
   State state = traced_classic();
   update(state, action::ShowNeighbours{true});

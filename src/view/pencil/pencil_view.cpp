@@ -137,6 +137,8 @@ class PencilPainter {
     }
     if (last.focus && std::abs(*last.focus) < endless && pencil.stages.size() > 1)
       draw_focus(pencil, *last.focus, strong);
+    if (last.focus_across && std::abs(*last.focus_across) < endless && pencil.stages.size() > 1)
+      draw_focus_across(pencil, *last.focus_across, strong);
   }
 
   /// Where the pencil folds: before its rays, or behind their start, from where they seem to come.
@@ -153,6 +155,18 @@ class PencilPainter {
                               Stroke{colour.with_alpha(150), painter_.sizes.unit, painter_.scaled({{3, 5}, 2})}});
       }
     painter_.add(CircleItem{at, 5 * painter_.sizes.unit, std::nullopt, painter_.stroke(colour, strong ? 2.2 : 1.3)});
+  }
+
+  /// Where the rays above and below it meet: on a line in the plan, across the ray.
+  void draw_focus_across(const Pencil& pencil, double focus, bool strong) {
+    if (focus > length_of(pencil) || (focus < 0 && !strong)) return;
+    const PencilStage& last = pencil.stages.back();
+    const Vec2d at = painter_.pixels(plan(last.origin + focus * last.direction));
+    const Vec2d along = painter_.pixels(plan(last.origin + (focus + 1) * last.direction)) - at;
+    if (!(length(along) > 0)) return;
+    const Vec2d half = 8 * painter_.sizes.unit / length(along) * Vec2d(-along.y, along.x);
+    const Colour colour = ray_style(painter_.state.appearance.theme, ray_of(pencil).kind).colour;
+    painter_.add_clipped({at - half, at + half, painter_.stroke(colour, strong ? 2.2 : 1.3)});
   }
 
   /// The matrix from EYE to where the ray ends or, if that is not known yet, starts; and how far off it is.
