@@ -13,7 +13,9 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 namespace raywalk {
 
@@ -41,6 +43,16 @@ bool holds(const WindowPiece& corners, const Vec2d& place) {
   return !(left && right);
 }
 
+/// Of the polygons of an object that have the same colour.
+struct Outlines {
+  int object = -1;
+  Colour colour{};
+  std::string path;
+  double area = 0, length = 0;
+
+  [[nodiscard]] double width() const { return area / length; }
+};
+
 class Drawer {
  public:
   Drawer(const Scene& scene, const BeamDrawingSettings& settings)
@@ -55,22 +67,29 @@ class Drawer {
 
   [[nodiscard]] std::size_t polygons() const { return polygons_; }
 
+  /// Neighbours that meet within a pixel let through what is behind them. There the same polygons are drawn before,
+  /// with strokes, the thinnest first, that they do not show beside wider ones. Then all again without strokes, the
+  /// thinnest last: then each covers as much of a pixel as it is.
   [[nodiscard]] std::string svg() const {
     const ImageSize size = settings_.size;
-    // Strokes of the same colour close the seams that browsers leave between neighbours, however large they are shown.
     std::string text = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" "
-        "fill=\"currentColor\" stroke=\"currentColor\" stroke-width=\".6\" stroke-linejoin=\"round\">\n",
+        "fill=\"currentColor\">\n",
         size.width, size.height);
     if (!scene_.title.empty()) text += "<title>" + escaped(scene_.title) + "</title>\n";
-    for (const auto& [object, colours] : objects_) {
-      text += "<g>";
-      if (object >= 0) text += "<title>" + escaped(scene_.objects[static_cast<std::size_t>(object)].name) + "</title>";
-      text += "\n";
-      for (const auto& [colour, outline] : colours)
-        text += fmt::format("<path vector-effect=\"non-scaling-stroke\" color=\"#{:02x}{:02x}{:02x}\" d=\"{}\"/>\n",
-                            colour[0], colour[1], colour[2], outline);
-      text += "</g>\n";
+    const std::vector<const Outlines*> order = thinnest_first();
+    text += "<g stroke=\"currentColor\" stroke-width=\"1.5\" stroke-linejoin=\"round\">\n";
+    for (std::size_t i = 0; i < order.size(); ++i)
+      text += fmt::format(
+          "<path id=\"p{}\" vector-effect=\"non-scaling-stroke\" color=\"#{:02x}{:02x}{:02x}\" d=\"{}\"/>\n", i,
+          order[i]->colour[0], order[i]->colour[1], order[i]->colour[2], order[i]->path);
+    text += "</g>\n";
+    for (std::size_t i = order.size(); i > 0; --i) {
+      const int object = order[i - 1]->object;
+      if (i == order.size() || order[i]->object != object)
+        text += object < 0 ? "<g>\n" : "<g><title>" + escaped(name_of(object)) + "</title>\n";
+      text += fmt::format("<use href=\"#p{}\"/>\n", i - 1);
+      if (i == 1 || order[i - 2]->object != object) text += "</g>\n";
     }
     return text + "</svg>\n";
   }
@@ -89,7 +108,7 @@ class Drawer {
                                                              {{from.x, middle.y}, {middle.x, to.y}},
                                                              {middle, to}}};
       std::array<std::vector<Piece>, 4> finer;
-      bool changes = false;
+      bool changes = std::any_of(whole.begin(), whole.end(), [](const Piece& part) { return part.has_mean; });
       for (std::size_t i = 0; i < 4; ++i) {
         finer[i] = parts(quarters[i].first, quarters[i].second);
         changes = changes || differ(whole, finer[i]);
@@ -119,13 +138,38 @@ class Drawer {
 
   void add(const Piece& part) {
     ++polygons_;
-    std::string& outline = objects_[part.object][colour_of(part.shade, scene_.encoding)];
+    const Colour colour = colour_of(part.shade, scene_.encoding);
+    Outlines& outlines = outlines_[{part.object, colour}];
+    outlines.object = part.object, outlines.colour = colour;
+    outlines.area += area_of(part.window);
+    Vec2d last = part.window.back();
     char command = 'M';
     for (const Vec2d& corner : part.window) {
-      outline += fmt::format("{}{} {}", command, number(corner.x), number(corner.y));
+      outlines.path += fmt::format("{}{} {}", command, number(corner.x), number(corner.y));
+      outlines.length += length(corner - last);
+      last = corner;
       command = 'L';
     }
-    outline += 'Z';
+    outlines.path += 'Z';
+  }
+
+  /// By objects, and of each by colours.
+  [[nodiscard]] std::vector<const Outlines*> thinnest_first() const {
+    std::map<int, Outlines> objects;
+    std::vector<const Outlines*> order;
+    for (const auto& [key, outlines] : outlines_) {
+      objects[outlines.object].area += outlines.area, objects[outlines.object].length += outlines.length;
+      order.push_back(&outlines);
+    }
+    std::stable_sort(order.begin(), order.end(), [&](const Outlines* a, const Outlines* b) {
+      const double width_a = objects[a->object].width(), width_b = objects[b->object].width();
+      return std::tuple(width_a, a->object, a->width()) < std::tuple(width_b, b->object, b->width());
+    });
+    return order;
+  }
+
+  [[nodiscard]] const std::string& name_of(int object) const {
+    return scene_.objects[static_cast<std::size_t>(object)].name;
   }
 
   /// To a thousandth of a pixel.
@@ -141,7 +185,7 @@ class Drawer {
   World<double> world_;
   BeamFaces faces_;
   RayGenerator<double> camera_;
-  std::map<int, std::map<Colour, std::string>> objects_;  ///< of each colour the outlines
+  std::map<std::pair<int, Colour>, Outlines> outlines_;  ///< by object and colour
   std::size_t polygons_ = 0;
 };
 

@@ -18,7 +18,8 @@ struct BeamDrawing {
 
 struct BeamDrawingSettings {
   ImageSize size{640, 480};
-  /// Where a colour changes by more, of 255, a polygon is cut further, down to `finest` pixels.
+  /// Where a colour changes by more, of 255, or is the mean of a checker, a polygon is cut further, down to `finest`
+  /// pixels.
   int tolerance = 4;
   double finest = 2;
   std::function<void(const Progress&)> progress{};

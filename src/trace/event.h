@@ -432,7 +432,7 @@ struct PartAdded {
   double share;                  ///< of the beam
   Rgbd mean;                     ///< of the beam, up to the end of this part
   bool last;
-  double off = 0;  ///< where one ray stands for a part: by how much those near its border bring more, at most
+  double off = 0;  ///< by how much the shades near the border of a part differ from its one, at most
 };
 
 using EventDetail = std::variant<PixelBegun, RayFormed, RayNotFormed, Found, Decided, ShadeCalled, ShadeComputed,

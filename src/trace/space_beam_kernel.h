@@ -23,7 +23,8 @@ template <class T>
 struct ShadedPiece {
   WindowPiece window;
   Rgb<T> shade{0};
-  int object = -1;  ///< that the eye sees there; -1: none
+  int object = -1;        ///< that the eye sees there; -1: none
+  bool has_mean = false;  ///< of a checker there or in a mirror there: from nearer more can be told apart
 };
 
 /// The parts of a rectangle of a picture, in pixels from its upper left corner.

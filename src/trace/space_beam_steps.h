@@ -354,24 +354,35 @@ Rgb<T> SpaceBeamTracer<T, Watcher>::follow_middle_ray(int depth, const MiddleRay
   return tracer_.radiance_along(ray.ray, depth + 1, ray.medium);
 }
 
-/// Of rays near the corners of a part, a sixteenth of the way from there to its middle, whose ray brought `followed`.
+/// Of the shades near the corners of a part, a sixteenth of the way from there to its middle, which has `shade`. What a
+/// flat mirror shows is left out: its own parts tell.
 template <class T, class Watcher>
 double SpaceBeamTracer<T, Watcher>::off_near_border(int depth, const Beam& beam, const Part& part,
-                                                    const Rgb<T>& followed) {
-  if (!sends(part, RayKind::reflect) && !sends(part, RayKind::refract)) return 0;
+                                                    const Rgb<T>& shade) {
   const Statistics counted = statistics_;
   const Vec2d middle = middle_of(part.window);
   double off = 0;
   for (const Vec2d& corner : part.window) {
     Part beside = part;
+    beside.has_mean = false;
     meet(beside, beam, corner + (middle - corner) / 16.0);
-    const Rgbd more(
-        detail::brought_by_rays(world_, tracer_, depth, *beside.at, [&](RayKind kind) { return sends(beside, kind); }) -
-        followed);
+    const Rgbd more(unmirrored_shade(depth, beside) - shade);
     off = std::max({off, std::abs(more.x), std::abs(more.y), std::abs(more.z)});
   }
   statistics_ = counted;
   return off;
+}
+
+template <class T, class Watcher>
+Rgb<T> SpaceBeamTracer<T, Watcher>::unmirrored_shade(int depth, const Part& part) {
+  DirectLighting direct;
+  for (const Light& light : detail::lights_on(world_, part))
+    if (faces(*part.at, light) && light.shines_along(light.direction_to(light.place, part.at->position)))
+      add_light(direct, part, light, arriving_from(part, light));
+  const Rgb<T> local = detail::shade_of_middle(world_, part, direct.sum).total;
+  if (!part.at) return local;
+  return part.at->throughput *
+         (local + detail::brought_by_rays(world_, tracer_, depth, *part.at, [&](RayKind k) { return sends(part, k); }));
 }
 
 /// A running mean: where all parts have one shade, it is that shade, whatever their areas. What a mirror shows is cut
@@ -386,9 +397,10 @@ void SpaceBeamTracer<T, Watcher>::add_part(Shades& shades, int depth, const Beam
   const int object = part.face < 0 ? -1 : faces_[part.face].object;
   if (reflected)
     for (ShadedPiece<T>& piece : reflected->pieces)
-      shades.pieces.push_back({std::move(piece.window), left * (own + part.at->bsdf.mirror * piece.shade), object});
+      shades.pieces.push_back({std::move(piece.window), left * (own + part.at->bsdf.mirror * piece.shade), object,
+                               part.has_mean || piece.has_mean});
   else
-    shades.pieces.push_back({part.window, shade, object});
+    shades.pieces.push_back({part.window, shade, object, part.has_mean});
   const double area = area_of(part.window);
   shades.area += area;
   if (shades.area > 0) shades.mean += (shade - shades.mean) * static_cast<T>(area / shades.area);
@@ -401,7 +413,7 @@ void SpaceBeamTracer<T, Watcher>::add_part(Shades& shades, int depth, const Beam
                      area / area_of(beam.window),
                      Rgbd(shades.mean),
                      &part == &parts.back(),
-                     off_near_border(depth, beam, part, curved + refracted)};
+                     off_near_border(depth, beam, part, left * own)};
   });
 }
 

@@ -197,7 +197,8 @@ class SpaceBeamTracer {
   bool decide_curved_or_glass(int depth, const Part& part);
   std::optional<MiddleRay> form_middle_ray(int depth, const Part& part, const Beam& beam, RayKind kind);
   Rgb<T> follow_middle_ray(int depth, const MiddleRay& ray);
-  [[nodiscard]] double off_near_border(int depth, const Beam& beam, const Part& part, const Rgb<T>& followed);
+  [[nodiscard]] double off_near_border(int depth, const Beam& beam, const Part& part, const Rgb<T>& shade);
+  [[nodiscard]] Rgb<T> unmirrored_shade(int depth, const Part& part);
   void add_part(Shades& shades, int depth, const Beam& beam, const std::vector<Part>& parts, const Part& part,
                 const Rgb<T>& local, std::optional<Shades>& reflected, const Rgb<T>& curved, const Rgb<T>& refracted);
   template <class Put>

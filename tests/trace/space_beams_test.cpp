@@ -415,6 +415,37 @@ TEST_CASE("watching beams in space changes no bit, and tells of parts that are t
   CHECK(areas.size() > 36);
 }
 
+TEST_CASE("watched beams say by how much the shades near the border of a part differ from its one") {
+  const auto off = [](const Scene& scene) {
+    const BeamFaces faces = beam_faces_of(scene);
+    Recording recording;
+    static_cast<void>(picture_by<double>(
+        scene, 1, 1, {}, [&](const auto& world, const auto& camera, const auto& block, const auto& put) {
+          return trace_space_beams_watched(world, faces, camera, block, put, recording);
+        }));
+    double most = 0;
+    for (const PartAdded& added : recording.all<PartAdded>()) most = std::max(most, added.off);
+    return most;
+  };
+  Scene scene = empty_scene();
+  Material white = matt(1);
+  scene.objects = {{"Wall", Plane<double>{{0, 0, 0}, {0, -1, 0}}, white}};
+  scene.lights = {{"Sun", Rgbd(0.8), DirectionalLight{{0, -1, 0}}}};
+  CHECK(off(scene) == 0);
+  // The edge of a shadow is cut.
+  scene.objects.push_back({"Blind", Box<double>{{0.5, -9, -20}, {30, -8, 20}}, white});
+  CHECK(off(scene) == 0);
+  scene.objects.pop_back();
+  // The rim of a spot is not, nor are squares beyond counting.
+  SpotLight spot;
+  spot.position = {0, -5, 0}, spot.look_at = {0, 0, 0}, spot.angle = spot.inner_angle = 90;
+  scene.lights = {{"Spot", Rgbd(0.8), spot}};
+  CHECK(off(scene) == Approx(0.8));
+  scene.lights = {{"Sun", Rgbd(0.8), DirectionalLight{{0, -1, 0}}}};
+  scene.objects[0].material.checker = Checker{Rgbd(1.0), Rgbd(0.0), 0.17};
+  CHECK(off(scene) == Approx(0.4));
+}
+
 TEST_CASE("a scene looks alike by beams however large it is") {
   const auto at_scale = [](double scale) {
     Scene scene = empty_scene();
