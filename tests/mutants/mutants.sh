@@ -290,6 +290,16 @@ mutant checker_line_half_exchanged differentials trace/checker_filter.cpp 'mean_
 mutant checker_lines_counted_once differentials trace/checker_filter.cpp '2.0 * wave * F(' 'wave * F('
 mutant checker_by_parts_without_its_ends differentials trace/checker_filter.cpp 'S(u + du) * S(v + dv) - S(u) * S(v)' 'S(u + du) * S(v + dv)'
 
+# Images over footprints.
+mutant pyramid_last_pixel_forgotten pyramid trace/texture_pyramid.cpp 'to((size + 1) / 2)' 'to(size / 2)'
+mutant pyramid_pixels_alike pyramid trace/texture_pyramid.cpp 'use(at, covered / ratio)' 'use(at, 1 / ratio)'
+mutant pyramid_ellipse_turned pyramid trace/texture_pyramid.cpp 'B = 2 * (dx.x * dx.y + dy.x * dy.y)' 'B = -2 * (dx.x * dx.y + dy.x * dy.y)'
+mutant pyramid_ellipse_of_one_side pyramid trace/texture_pyramid.cpp 'A = dx.y * dx.y + dy.y * dy.y + 1' 'A = dx.y * dx.y + 1'
+mutant pyramid_levels_by_the_shorter pyramid trace/texture_pyramid.cpp 'if (major < minor) std::swap(longer, shorter), std::swap(major, minor);' ''
+mutant pyramid_share_of_the_sharper pyramid trace/texture_pyramid.cpp 'portable::log1p(2 * mantissa - 1)' 'portable::log1p(1 - mantissa)'
+mutant pyramid_rows_count_upwards pyramid trace/texture_pyramid.cpp '(1 - (v - std::floor(v)))' '(v - std::floor(v))'
+mutant pyramid_gaussian_wider pyramid trace/texture_pyramid.cpp 'portable::exp(-2.0 * static_cast<double>(i) / last)' 'portable::exp(-1.0 * static_cast<double>(i) / last)'
+
 # Mirrors of small mirrors, and metals.
 mutant facets_without_their_area facets trace/microfacets.h 'return alpha_ * alpha_ / (pi_v<T> * at * at);' 'return alpha_ / (pi_v<T> * at * at);'
 mutant facets_hide_the_wrong_way facets trace/microfacets.h '(2 * (eye * light_root + light * eye_root))' '(2 * (eye * eye_root + light * light_root))'

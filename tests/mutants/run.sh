@@ -75,6 +75,8 @@ verdict() {
     libraries=("${catch2[@]}")
   [[ $2 == differentials ]] && program=("-I$root/tests" "$root/tests/"{trace/ray_differential,trace/checker_filter,accel/derivative}_test.cpp "$4/src/trace/checker_filter.cpp") \
     libraries=("${catch2[@]}")
+  [[ $2 == pyramid ]] && program=("-I$root/tests" "$root/tests/trace/texture_pyramid_test.cpp" "$4/src/trace/texture_pyramid.cpp") \
+    libraries=("${catch2[@]}")
   # shellcheck disable=SC2086
   if ! "$cxx" -std=c++20 $level -ffp-contract=off $3 -I"$4/src" "${program[@]}" \
     "$4"/src/{shape/polygon,shape/exactly,accel/primitives,math/exact,math/motion}.cpp "$work"/elementary_*.o \
