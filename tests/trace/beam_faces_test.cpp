@@ -146,6 +146,30 @@ TEST_CASE("each part of a window sees the nearest face there") {
   CHECK(compared > rounds(40) * 200);
 }
 
+TEST_CASE("before a wall that leads away, what stands near its far end is seen, and what is behind it is not") {
+  int standing = 0;
+  for (int seed = 0; seed < rounds(20); ++seed) {
+    Draw draw(seed);
+    const BeamView view{{0, 0, 0}, {1, -0.2, -0.2}, {0, 0.4, 0}, {0, 0, 0.4}};
+    // Across the window its distance grows from 2 to 10.
+    std::vector<BeamFace> list{face_of({{2, -0.6, -9}, {2, -0.6, 9}, {12, 2.6, 9}, {12, 2.6, -9}}, 0)};
+    for (int i = 1; i < 200; ++i) {
+      const Vec3d place = draw(5, 11) * Vec3d(1, draw(0.1, 0.2), draw(-0.2, 0.2));
+      list.push_back(face_of({place, place + draw.place(0.25), place + draw.place(0.25)}, i));
+    }
+    const std::vector<SeenFace> seen = faces_seen(BeamFaces(list), view, whole);
+    for (int i = 0; i < 400; ++i) {
+      const Vec2d place{draw(0.75, 1), draw(0, 1)};
+      const SeenFace* part = piece_at(seen, place);
+      const Nearest nearest = nearest_of(list, view.eye, view.direction(place));
+      if (part == nullptr || nearest.doubtful) continue;
+      CHECK(part->face == nearest.face);
+      standing += nearest.face > 0 && nearest.t > 7 ? 1 : 0;
+    }
+  }
+  CHECK(standing > 20 * rounds(20));
+}
+
 TEST_CASE("a mirror shows what lies beyond it, seen from the image of the eye") {
   int compared = 0;
   for (int seed = 0; seed < rounds(40); ++seed) {
