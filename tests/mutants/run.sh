@@ -50,7 +50,7 @@ verdict() {
   [[ $2 == packets ]] && program=("-I$root/tests" "$root/tests/accel/packet_test.cpp" \
     "$4"/src/accel/{accelerator,binary_tree,library,mesh_copies,packet_search,packet_search_eight,reinsertion,search_record,spatial_split,structures,wide_search,wide_search_eight,wide_tree,width}.cpp "$4/src/shape/mesh.cpp") \
     libraries=("${catch2[@]}")
-  [[ $2 == beam_faces ]] && program=("-I$root/tests" "$root/tests/trace/beam_faces_test.cpp" "$4"/src/trace/{beam_faces,beam_window}.cpp \
+  [[ $2 == beam_faces ]] && program=("-I$root/tests" -DNDEBUG "$root/tests/trace/beam_faces_test.cpp" "$4"/src/trace/{beam_faces,beam_window}.cpp \
     "$4"/src/accel/{binary_tree,reinsertion,search_record,spatial_split,wide_tree}.cpp) libraries=("${catch2[@]}")
   [[ $2 == cone_bodies ]] && program=("-I$root/tests" "$root/tests/trace/cone_bodies_test.cpp" "$4"/src/trace/{cone_bodies,ray_cone}.cpp) \
     libraries=("${catch2[@]}")

@@ -187,6 +187,11 @@ TEST_CASE("a mirror shows what lies beyond it, seen from the image of the eye") 
     CHECK(area_of_all(seen) == Approx(1).epsilon(1e-12));
     for (int i = 0; i < 200; ++i) {
       const Vec2d place{draw(0, 1), draw(0, 1)};
+      // Both eyes see a place of the mirror through the same place of the window.
+      const Vec3d ray = direct.direction(place);
+      const Vec3d mirrored = direct.eye - mirror.above(direct.eye) / dot(mirror.normal, ray) * ray;
+      const double t = -mirror.above(view.eye) / dot(mirror.normal, view.direction(place));
+      CHECK(length(view.eye + t * view.direction(place) - mirrored) < 1e-9 * (1 + length(mirrored)));
       const SeenFace* part = piece_at(seen, place);
       const Nearest nearest = nearest_of(list, view.eye, view.direction(place), &beyond);
       if (part == nullptr || nearest.doubtful) continue;
