@@ -224,7 +224,7 @@ class Loop::Parts {
   void keep_settings() {
     const Settings now = settings_of(state_);
     if (now == settings_) return;
-    write_settings(state_.document.state_dir, now);
+    write_settings(state_.document.state_dir, settings_, now);
     settings_ = now;
   }
 

@@ -47,13 +47,28 @@ Settings settings_of(const State& state) {
           state.appearance.exchanged, state.link.page};
 }
 
+namespace {
+
+nlohmann::json settings_in(const std::string& state_dir) {
+  const Result<std::string> bytes = read_file(settings_path(state_dir), max_settings);
+  nlohmann::json json = nlohmann::json::parse(bytes.value_or(""), nullptr, false);
+  return json.is_object() ? json : nlohmann::json::object();
+}
+
+nlohmann::json json_of(const Settings& settings) {
+  nlohmann::json exchanged = nlohmann::json::array();
+  for (const Tab& tab : settings.exchanged) exchanged.push_back(tab.word);
+  return {{"theme", name_of(settings.theme)}, {"tab", name_of(settings.tab)},          {"ui_scale", settings.ui_scale},
+          {"tweens", settings.tweens},        {"english_code", settings.english_code}, {"exchanged", exchanged},
+          {"language", settings.language},    {"link_page", settings.link_page}};
+}
+
+}  // namespace
+
 Settings read_settings(const std::string& state_dir) {
   Settings settings;
   if (state_dir.empty()) return settings;
-  const Result<std::string> bytes = read_file(settings_path(state_dir), max_settings);
-  if (!bytes) return settings;
-  const auto json = nlohmann::json::parse(*bytes, nullptr, false);
-  if (!json.is_object()) return settings;
+  const nlohmann::json json = settings_in(state_dir);
   const auto word = [&](const char* key) {
     const auto at = json.find(key);
     return at != json.end() && at->is_string() ? at->get<std::string>() : std::string();
@@ -74,16 +89,12 @@ Settings read_settings(const std::string& state_dir) {
   return settings;
 }
 
-void write_settings(const std::string& state_dir, const Settings& settings) {
+void write_settings(const std::string& state_dir, const Settings& before, const Settings& now) {
   if (state_dir.empty()) return;
-  nlohmann::json json{{"theme", name_of(settings.theme)},
-                      {"tab", name_of(settings.tab)},
-                      {"ui_scale", settings.ui_scale},
-                      {"tweens", settings.tweens},
-                      {"english_code", settings.english_code}};
-  for (const Tab& tab : settings.exchanged) json["exchanged"].push_back(tab.word);
-  if (!settings.language.empty()) json["language"] = settings.language;
-  if (!settings.link_page.empty()) json["link_page"] = settings.link_page;
+  nlohmann::json json = settings_in(state_dir);
+  const nlohmann::json was = json_of(before), is = json_of(now);
+  for (const auto& [key, value] : is.items())
+    if (value != was[key]) json[key] = value;
   std::error_code error;
   std::filesystem::create_directories(state_dir, error);
   const std::string text = json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);

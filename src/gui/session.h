@@ -29,8 +29,9 @@ struct Settings {
 [[nodiscard]] Settings settings_of(const State& state);
 /// Defaults for what is missing or unreadable: settings are a convenience.
 [[nodiscard]] Settings read_settings(const std::string& state_dir);
-/// Fails silently for the same reason.
-void write_settings(const std::string& state_dir, const Settings& settings);
+/// Writes what has changed since `before`, and leaves the rest as it stands: another window may have chosen it. Fails
+/// silently for the same reason.
+void write_settings(const std::string& state_dir, const Settings& before, const Settings& now);
 
 /// By the first of LC_ALL, LC_MESSAGES and LANG that is set; English if `languages` does not contain it.
 [[nodiscard]] Language language_of_environment(const Languages& languages);

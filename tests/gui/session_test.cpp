@@ -102,7 +102,7 @@ TEST_CASE("a scene that cannot be read is an error that names it") {
 TEST_CASE("settings are kept; broken ones are as good as none") {
   const Folder folder;
   const Settings chosen{Theme::projector, 2.25, TreeRoom::tab, "pt", false, true, {TreeRoom::tab, CostRoom::tab}};
-  write_settings(folder / "state", chosen);
+  write_settings(folder / "state", {}, chosen);
   CHECK(read_settings(folder / "state") == chosen);
   GuiOptions wanted = options(folder);
   CHECK(start(wanted)->appearance.theme == Theme::projector);
@@ -121,8 +121,22 @@ TEST_CASE("settings are kept; broken ones are as good as none") {
   CHECK(read_settings("") == Settings{});
   Settings odd;
   odd.link_page = "https://caf\xe9.example/";  // which is no UTF-8
-  write_settings(folder / "state", odd);
+  write_settings(folder / "state", {}, odd);
   CHECK_THAT(read_settings(folder / "state").link_page, contains("https://caf"));
+}
+
+TEST_CASE("of two windows each writes the settings that were chosen in it, and leaves those of the other") {
+  const Folder folder;
+  const Settings before{Theme::dark, 1.5, PictureRoom::tab, "pt", false};
+  write_settings(folder / "state", {}, before);
+  Settings one = before, other = before;
+  one.language = "es";
+  one.theme = Theme::projector;
+  other.tab = TreeRoom::tab;
+  write_settings(folder / "state", before, one);
+  write_settings(folder / "state", before, other);
+  one.tab = other.tab;
+  CHECK(read_settings(folder / "state") == one);
 }
 
 TEST_CASE("the language is the option's, else the one that was kept, else the environment's, else English") {
@@ -144,13 +158,13 @@ TEST_CASE("the language is the option's, else the one that was kept, else the en
   CHECK(start(wanted)->appearance.language == in_english);
   environment("de_DE.UTF-8", "pt_PT", "pt_PT");
   CHECK(start(wanted)->appearance.language == in_english);
-  write_settings(folder / "state", {Theme::dark, 1, PictureRoom::tab, "pt"});
+  write_settings(folder / "state", {}, {Theme::dark, 1, PictureRoom::tab, "pt"});
   CHECK(start(wanted)->appearance.language == in_portuguese);
   wanted.language = in_english;
   CHECK(start(wanted)->appearance.language == in_english);
   // Whose file is gone.
   wanted.language.reset();
-  write_settings(folder / "state", {Theme::dark, 1, PictureRoom::tab, "xx"});
+  write_settings(folder / "state", {}, {Theme::dark, 1, PictureRoom::tab, "xx"});
   environment("", "", "es_MX.UTF-8");
   CHECK(start(wanted)->appearance.language.code() == "es");
 }

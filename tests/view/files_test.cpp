@@ -276,6 +276,11 @@ TEST_CASE("recent files are remembered, the latest first, each once") {
   State next = make_state({busy_scene(), {}, {}}, {}, folder.file("state"));
   restore_session(next);
   CHECK(next.document.recent == state.document.recent);
+  // In two windows.
+  update(next, action::SaveAs{folder.file("next.toml")});
+  update(state, action::SaveAs{folder.file("last.toml")});
+  CHECK(state.document.recent[0] == folder.file("last.toml"));
+  CHECK(state.document.recent[1] == folder.file("next.toml"));
 }
 
 TEST_CASE("New starts with something that can be walked") {

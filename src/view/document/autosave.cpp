@@ -203,7 +203,24 @@ void recover(State& state, const Question& question) {
   inform_above(state, fill("notice.recovered", state.appearance.language, {{"file", document_title(state)}}));
 }
 
+namespace {
+
+void read_recent(State& state) {
+  const Result<std::string> recent = read_file(recent_path(state), max_bytes);
+  if (!recent) return;
+  state.document.recent.clear();
+  std::size_t start = 0;
+  while (start < recent->size() && state.document.recent.size() < max_recent) {
+    const std::size_t end = std::min(recent->find('\n', start), recent->size());
+    if (end > start) state.document.recent.push_back(recent->substr(start, end - start));
+    start = end + 1;
+  }
+}
+
+}  // namespace
+
 void add_recent(State& state, const std::string& path) {
+  if (!state.document.state_dir.empty()) read_recent(state);  // another window may have added some
   std::erase(state.document.recent, path);
   state.document.recent.insert(state.document.recent.begin(), path);
   if (state.document.recent.size() > max_recent) state.document.recent.resize(max_recent);
@@ -216,13 +233,7 @@ void add_recent(State& state, const std::string& path) {
 
 void restore_session(State& state) {
   if (state.document.state_dir.empty()) return;
-  const Result<std::string> recent = read_file(recent_path(state), max_bytes);
-  std::size_t start = 0;
-  while (recent && start < recent->size() && state.document.recent.size() < max_recent) {
-    const std::size_t end = std::min(recent->find('\n', start), recent->size());
-    if (end > start) state.document.recent.push_back(recent->substr(start, end - start));
-    start = end + 1;
-  }
+  read_recent(state);
   state.document.autosave_file.clear();  // an undecided autosave is never overwritten
   ask_to_recover(state);
 }
