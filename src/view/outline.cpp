@@ -7,6 +7,7 @@
 #include "view/ink/ink.h"
 #include "view/lesson/lesson_panel.h"
 #include "view/lesson/typed_number.h"
+#include "view/link/link.h"
 #include "view/plan/plan_geometry.h"
 #include "view/predict/predict.h"
 #include "view/stack/stack_panel.h"
@@ -89,6 +90,22 @@ class Outliner {
       button(region, name, sentence == nullptr ? title : title + ": " + *sentence,
              action::Open{shipped_path(state_, name)});
     }
+  }
+
+  void link() {
+    if (!state_.link.shown) return;
+    OutlineItem& region = open("link", say("link.title"));
+    const std::string address = address_shown(state_);
+    if (address.empty()) {
+      add(region, Role::warning, "why", state_.link.why_not);
+      button(region, "save", say("command.save_as.label"), action::AskSaveAs{});
+    } else {
+      add(region, Role::text, "address", address);
+      field(region, Role::words, "page", say("link.page"), "link-page {}", state_.link.page);
+      if (page_of_links(state_).empty()) add(region, Role::text, "no-page", say("link.no_page"));
+      button(region, "copy", say("command.copy_link.label"), action::CopyLink{});
+    }
+    button(region, "close", say("dialog.close"), action::ShowLink{false});
   }
 
   void lesson() {
@@ -403,6 +420,7 @@ Outline outline(const State& state) {
   parts.question();
   parts.prompt();
   if (waits_for_answer(state)) return std::move(parts).take();  // nothing else has an effect
+  parts.link();
   parts.lesson();
   parts.bugs();
   parts.walk();
@@ -425,6 +443,8 @@ Result<Action> outlined_action(const State& state, std::string_view does, std::s
   std::string value(typed);
   if (does.starts_with("ink-type")) {
     if (value.empty()) return Action(action::TypeInk{});  // what was written is taken back
+  } else if (does.starts_with("link-page")) {
+    if (value.empty()) return Action(action::SetLinkPage{});
   } else if (does.starts_with("open") || does.starts_with("save") || does.starts_with("export")) {
     if (value.empty()) return refused("outline.no_path");
   } else if (does.starts_with("guess-number")) {

@@ -8,6 +8,7 @@
 #include "view/action_text.h"
 #include "view/document/document.h"
 #include "view/lesson/typed_number.h"
+#include "view/link/link.h"
 #include "view/plan/plan_geometry.h"
 #include "view/walk/code_panel.h"
 #include "view/walk/status.h"
@@ -273,4 +274,30 @@ TEST_CASE("a field of words that is left empty asks for words, and ink takes the
   REQUIRE(nothing);
   REQUIRE(nothing->as<action::TypeInk>() != nullptr);
   CHECK(nothing->as<action::TypeInk>()->text.empty());
+}
+
+TEST_CASE("the dialog of a link is in the outline: its address, or why there is none, and what can be done") {
+  State state = classic_state();
+  state.link.own_page = "https://own.example/";
+  update(state, action::ShowLink{true});
+  CHECK(faults(outline(state)) == "");
+  CHECK(named(state, Role::text, address_shown(state)));
+  const std::string page = "Address of a page that shows Raywalk";
+  use(state, Role::words, page, "https://a.example/");
+  CHECK(named(state, Role::text, address_shown(state))->name.starts_with("https://a.example/#"));
+  use(state, Role::words, page, "");
+  CHECK(page_of_links(state) == "https://own.example/");
+  use(state, Role::button, "Copy link");
+  CHECK(state.link.copies == 1);
+  CHECK_FALSE(state.link.shown);
+
+  Scene many = state.scene();
+  many.objects.resize(1100, many.objects.front());
+  commit(state, many);
+  update(state, action::CopyLink{});
+  CHECK(faults(outline(state)) == "");
+  CHECK(named(state, Role::warning, state.link.why_not));
+  CHECK(named(state, Role::button, "Save as\u2026"));
+  use(state, Role::button, "Close");
+  CHECK_FALSE(state.link.shown);
 }
