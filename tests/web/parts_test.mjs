@@ -65,6 +65,20 @@ test('a page around this one is told of errors of what it has sent, and of no ot
   assert.match(refused().join(), /whole number/);
 });
 
+test('only the page around this one is heard, from its origin where one is named', () => {
+  const parent = { postMessage() {} }, went = [];
+  let hear;
+  const window = { parent, addEventListener: (_, call) => { hear = call; } };
+  for (const named of [null, 'https://course.example/']) {
+    const page = run('embed.js', { window, named, does: { go: (step) => went.push(step), asks: () => false } }, 'new Embedding(named, does)');
+    page.look({ moment: { step: 0 }, judged: 0, right: 0, made: 0, done: {}, asks: false, error: '' });
+    for (const [step, source, origin] of [[1, parent, 'https://course.example'], [2, parent, 'https://other.example'], [3, {}, 'https://course.example'],
+      [4, window, 'https://course.example']])
+      hear({ source, origin, data: { raywalk: 1, do: 'go', step } });
+    assert.deepEqual(went.splice(0), named ? [1] : [1, 2]);
+  }
+});
+
 class Store {
   #caches = new Map();
   keys() { return Promise.resolve([...this.#caches.keys()]); }
