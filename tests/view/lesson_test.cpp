@@ -575,3 +575,19 @@ TEST_CASE("lessons that were unlocked stay so where other options change before 
   update(demo, action::SetLessonOptions{true, false});
   CHECK_FALSE(with_lessons(folder.path()).lessons.unlocked);
 }
+
+TEST_CASE("lessons that were unlocked in one window stay so where another one goes on") {
+  const test::TemporaryFolder folder;
+  State one = with_lessons(folder.path()), other = with_lessons(folder.path());
+  update(one, action::SetLessonOptions{false, true});
+  update(other, action::OpenLesson{"01-ray-casting"});
+  update(other, action::GoToLessonStep{1});
+  CHECK(other.lessons.unlocked);
+  State next = with_lessons(folder.path());
+  CHECK(next.lessons.unlocked);
+  CHECK(next.lessons.done["01-ray-casting"] == 1);
+  // What is chosen last counts, in whichever window.
+  update(other, action::SetLessonOptions{});
+  update(one, action::SetLessonOptions{true, true});
+  CHECK_FALSE(with_lessons(folder.path()).lessons.unlocked);
+}

@@ -24,33 +24,27 @@ constexpr std::size_t max_progress = 1 << 16;  // bytes
 
 std::string progress_path(const State& state) { return state.document.state_dir + "/lessons.json"; }
 
-/// What the file says; null if there is none. Adds what it has finished: by another window, or in an earlier sitting.
-nlohmann::json read_done(State& state) {
+/// What another window, or an earlier sitting, has written: adds what it has finished, and takes over whether lessons
+/// are unlocked. Progress is a convenience: failures are ignored.
+void read_progress(State& state) {
+  if (state.document.state_dir.empty()) return;
   const auto bytes = read_file(progress_path(state), max_progress);
-  if (!bytes) return {};
-  auto json = nlohmann::json::parse(*bytes, nullptr, false);
-  if (!json.is_object()) return {};
+  if (!bytes) return;
+  const auto json = nlohmann::json::parse(*bytes, nullptr, false);
+  if (!json.is_object()) return;
   if (const auto done = json.find("done"); done != json.end() && done->is_object())
     for (const auto& [name, steps] : done->items())
       if (steps.is_number_integer()) {
         int& own = state.lessons.done[name];
         own = std::max(own, std::clamp(steps.get<int>(), 0, 1000));
       }
-  return json;
-}
-
-/// Progress is a convenience: failures are ignored.
-void read_progress(State& state) {
-  if (state.document.state_dir.empty()) return;
-  const nlohmann::json json = read_done(state);
-  if (!json.is_object()) return;
   if (const auto unlocked = json.find("unlocked"); unlocked != json.end() && unlocked->is_boolean())
     state.lessons.unlocked = unlocked->get<bool>();
 }
 
-void write_progress(State& state) {
+/// Once it was read: what others have written meanwhile is part of it.
+void write_progress(const State& state) {
   if (state.document.state_dir.empty()) return;
-  static_cast<void>(read_done(state));
   const nlohmann::json json{{"done", state.lessons.done}, {"unlocked", state.lessons.unlocked}};
   std::error_code error;
   std::filesystem::create_directories(state.document.state_dir, error);
@@ -252,6 +246,7 @@ void action::GoToLessonStep::apply(State& state) const {
     render_pictures(state, sitting.open, to);
   int& done = sitting.done[sitting.open->lesson.name];
   done = std::max(done, to);
+  read_progress(state);
   write_progress(state);
   if (to >= panel.steps) return LeaveLesson{}.apply(state);
   const bool jumps = to < sitting.step || to > sitting.step + 1;
@@ -316,9 +311,11 @@ void action::RevealLesson::apply(State& state) const {
 }
 
 void action::SetLessonOptions::apply(State& state) const {
-  // Who changes something else, perhaps before the list was read, does not lock what an earlier sitting has unlocked.
+  // Who changes something else, perhaps before the list was read, does not lock what an earlier sitting or another
+  // window has unlocked.
   const bool changes_locks = unlocked != state.lessons.unlocked;
   read_list(state);
+  read_progress(state);
   if (changes_locks) state.lessons.unlocked = unlocked;
   state.lessons.presenter = presenter;
   state.lessons.notes = !without_notes;
