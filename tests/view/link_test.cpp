@@ -6,6 +6,7 @@
 #include "random_actions.h"
 #include "support/effort.h"
 #include "text/file.h"
+#include "view/document/document.h"
 #include "view/link/qr_code.h"
 
 #include "support/catch.h"
@@ -388,6 +389,7 @@ TEST_CASE("what is no link is refused with a sentence, and changes nothing") {
            begun + "/changes=" + pack_text(R"({"object":{"A":{"type":"mesh","file":"/etc/passwd"}}})"),
            begun + "/changes=" + pack_text(R"({"object":{"Floor":{"material":{"texture":{"file":"/dev/zero"}}}}})"),
            begun + "/changes=" + pack_text(R"({"image":{"width":60000,"height":60000}})"),
+           begun + "/changes=" + pack_text(R"({"render":{"photons":{"count":1000001}}})"),
            begun + "/changes=" + pack_text("{\"title\":\"" + std::string(1 << 20, 'x') + "\"}"),
            begun + "/camera=" + pack_text(R"({"camera":{"up":[0,0,0]}})"),
            begun + "/x=" + std::string(max_link, 'x')}) {
@@ -440,6 +442,16 @@ TEST_CASE("what does not fit into a link is offered as a file") {
   CHECK(state.link.copies == 0);
   // The shipped mesh itself needs no file from anybody.
   check_it_arrives(opened(scenes + "mesh.toml"));
+  // Who opens a link has not chosen how long to wait.
+  State slow = opened(scenes + "caustic.toml");
+  Scene many = slow.scene();
+  many.render.photons.count = 1'000'001;
+  commit(slow, many);
+  update(slow, action::CopyLink{});
+  CHECK(slow.link.why_not.find("1000001 photons") != std::string::npos);
+  --many.render.photons.count;
+  commit(slow, many);
+  check_it_arrives(slow);
   // A copy of the scene beside a link to the shipped file does not either.
   State shipped = opened(scenes + "mesh.toml");
   update(shipped, action::SaveAs{folder.file("near.toml")});

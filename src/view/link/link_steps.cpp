@@ -44,13 +44,27 @@ tl::unexpected<Error> no_link(const State& state, std::string_view why) {
   return tl::unexpected(Error{"", 0, 0, std::string(text(why, state.appearance.language)), ""});
 }
 
+/// Of these a page takes some seconds, in which it answers nobody.
+constexpr int most_photons = 1'000'000;
+
+/// `base` with a link's changes, which may not ask for endless work.
+Result<SceneDocument> patched_by_link(const SceneDocument& base, std::string_view changes) {
+  auto patched = patched_scene(base, changes);
+  if (!patched) return patched;
+  const int photons = patched->scene.render.photons.count;
+  if (photons > std::max(most_photons, base.scene.render.photons.count))
+    return tl::unexpected(
+        Error{"", 0, 0, fmt::format("it sends {} photons (expected at most {} in a link)", photons, most_photons), ""});
+  return patched;
+}
+
 /// What `scene`, whose files are named from `path`, has changed of `base`. Fails if these changes do not lead back to
 /// it.
 Result<std::string> changes_of(const SceneDocument& base, const Scene& scene, const std::string& path) {
   auto renamed = with_names_from(scene, path, base.path);
   if (!renamed) return tl::unexpected(renamed.error());
   std::string changes = scene_patch(base.scene, *renamed);
-  const auto again = patched_scene(base, changes);
+  const auto again = patched_by_link(base, changes);
   if (!again) return tl::unexpected(again.error());
   if (again->scene != *renamed) return tl::unexpected(Error{"", 0, 0, "it cannot be told in a link without loss", ""});
   return changes;
@@ -154,7 +168,7 @@ void set_moment(State& state, const Link& link) {
 
 /// `base` with a link's changes; fails if its camera cannot see the outcome either.
 Result<SceneDocument> changed_by(const Link& link, const SceneDocument& base) {
-  auto changed = patched_scene(base, link.changes);
+  auto changed = patched_by_link(base, link.changes);
   if (!changed) return changed;
   if (const auto seen = patched_scene(*changed, link.camera); !seen) return tl::unexpected(seen.error());
   return changed;
