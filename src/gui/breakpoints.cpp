@@ -3,6 +3,7 @@
 #include "gui/widgets.h"
 #include "text/language.h"
 #include "view/text/shown.h"
+#include "view/walk/walk.h"
 
 #include <algorithm>
 
@@ -15,12 +16,6 @@ std::vector<std::string> object_names(const Ui& ui) {
   std::vector<std::string> names{ui.say("breakpoints.nowhere")};
   for (const Object& object : ui.state.scene().objects) names.push_back(shown_name(ui.state, object.name));
   return names;
-}
-
-// An optional number: if absent, the field shows `none`.
-void optional_whole(Form& form, std::string_view label, std::optional<int>& value, int none, int most) {
-  int shown = value.value_or(none);
-  if (form.whole(label, shown, none, most)) value = shown == none ? std::nullopt : std::optional(shown);
 }
 
 }  // namespace
@@ -44,17 +39,16 @@ void BreakpointsPopup::draw(const Ui& ui, const Rect& code, bool open) {
   label(ui.colours.dim_text, ui.say("breakpoints.hint"));
   if (breakpoints_in_force(state) != state.walk.breakpoints) label(ui.colours.error, ui.say("breakpoints.off"));
   ImGui::PopTextWrapPos();
-  Breakpoints next = state.walk.breakpoints;
-  optional_whole(form, "breakpoints.at_depth", next.depth, 0, 99);
-  optional_whole(form, "breakpoints.at_pixel", next.pixel, -1, std::max(state.scene().camera.screen.cells - 1, 0));
-  form.flag("breakpoints.at_total", next.total_internal_reflection);
-  const std::vector<std::string> names = object_names(ui);
-  const std::vector<Object>& objects = state.scene().objects;
-  const auto at = std::find_if(objects.begin(), objects.end(), [&](const Object& o) { return o.name == next.object; });
-  int chosen = at == objects.end() ? 0 : static_cast<int>(at - objects.begin()) + 1;
-  if (form.pick("breakpoints.at_object", names, chosen))
-    next.object = chosen == 0 ? std::string() : objects[static_cast<std::size_t>(chosen) - 1].name;
-  if (next != state.walk.breakpoints) ui.act(action::SetBreakpoints{next});
+  action::StopAt next = stops_chosen(state);
+  bool changed = form.whole("breakpoints.at_depth", next.depth, 0, deepest_stop);
+  changed |= form.whole("breakpoints.at_pixel", next.pixel, -1, std::max(state.scene().camera.screen.cells - 1, 0));
+  changed |= form.flag("breakpoints.at_total", next.total_internal_reflection);
+  int chosen = next.object + 1;
+  if (form.pick("breakpoints.at_object", object_names(ui), chosen)) {
+    next.object = chosen - 1;
+    changed = true;
+  }
+  if (changed) ui.act(next);
 
   const ButtonLook look{.look = Look::plain, .icon = Icon::none, .font = ui.fonts.small, .label = true};
   const ImVec2 extent{(width - ui.px(12)) / 3, ui.px(32)};
@@ -64,7 +58,7 @@ void BreakpointsPopup::draw(const Ui& ui, const Rect& code, bool open) {
   ImGui::SameLine();
   if (button(ui, "remove-breakpoints", ui.say("breakpoints.remove"), "", extent, look, false,
              state.walk.breakpoints.any()))
-    ui.act(action::SetBreakpoints{});
+    ui.act(action::RemoveBreakpoints{});
 }
 
 }  // namespace raywalk

@@ -1,13 +1,11 @@
 #pragma once
 // One of a few values: for pick fields and for commands that switch to the next.
 
-#include "accel/accelerator.h"
 #include "gui/form.h"
 #include "text/language.h"
 #include "view/text/choice_text.h"
 
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <string>
 #include <vector>
@@ -38,17 +36,6 @@ bool pick_among(const Ui& ui, Form& form, const FormLabel& label, const Choices&
   if (!form.pick(label, names, index)) return false;
   value = choices[static_cast<std::size_t>(index)];
   return true;
-}
-
-/// The accelerators offered to the user.
-inline constexpr std::array pickable_accelerators{AcceleratorKind::automatic, AcceleratorKind::none,
-                                                  AcceleratorKind::bvh,       AcceleratorKind::grid,
-                                                  AcceleratorKind::octree,    AcceleratorKind::kdtree};
-
-/// Whether single precision is used.
-inline constexpr std::array precisions{false, true};
-[[nodiscard]] constexpr std::string_view precision_word(bool single) {
-  return single ? "precision.float" : "precision.double";
 }
 
 }  // namespace raywalk

@@ -78,22 +78,6 @@ std::string status_of(const Ui& ui, const PictureView& picture, bool has_row) {
          about;
 }
 
-std::string_view heat_word(Heat heat) {
-  switch (heat) {
-    case Heat::none:
-      return "heat.none";
-    case Heat::rays:
-      return "heat.rays";
-    case Heat::tests:
-      return "heat.tests";
-    case Heat::time:
-      return "heat.time";
-    case Heat::noise:
-      return "heat.noise";
-  }
-  return "heat.none";
-}
-
 // A bar of colours with numbers, as high as two lines of small letters.
 void heat_legend(const Ui& ui, const Rect& where, Heat heat, double hottest) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -269,7 +253,7 @@ void image_settings(const Ui& ui, FormMemory& memory) {
   form.whole("property.samples", next.samples, 1, max_image_samples);
   form.whole("property.walk_samples", next.walk_samples, 1, max_walk_samples);
   pick_among(ui, form, "property.precision", precisions, next.single_precision, precision_word);
-  pick_among(ui, form, "property.heat", values_of<Heat>, next.heat, heat_word);
+  pick_among(ui, form, "property.heat", values_of<Heat>, next.heat);
   if (next != state.picture.settings) ui.act(action::SetImageSettings{next});
 
   // These belong to the scene: they also affect the walk and the file.

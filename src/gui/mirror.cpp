@@ -22,6 +22,7 @@ void add_commands(OutlineItem& region, const State& state, Section section) {
     button.does = "command " + std::string(each->name);
     button.hint = command_hint(*each, state.appearance.language);
     button.enabled = enabled(*each, state);
+    if (each == &command("breakpoints") || each == &command("image-settings")) button.leads_to = each->name;
     if (each->chosen != nullptr) button.chosen = chosen(*each, state);
     region.items.push_back(std::move(button));
   }
@@ -52,6 +53,7 @@ nlohmann::ordered_json json_of(const Outline& items) {
     if (!item.hint.empty()) json["hint"] = item.hint;
     if (item.role == Role::number || item.role == Role::words || item.role == Role::path) json["value"] = item.value;
     if (!item.enabled) json["enabled"] = false;
+    if (!item.leads_to.empty()) json["to"] = item.leads_to;
     if (item.chosen) json["chosen"] = *item.chosen;
     if (item.current) json["current"] = true;
     if (item.folded) json["folded"] = true;

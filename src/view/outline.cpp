@@ -1,6 +1,5 @@
 #include "view/outline.h"
 
-#include "view/action_text.h"
 #include "view/bugs/bug_panel.h"
 #include "view/document/document.h"
 #include "view/document/question.h"
@@ -8,6 +7,7 @@
 #include "view/lesson/lesson_panel.h"
 #include "view/lesson/typed_number.h"
 #include "view/link/link.h"
+#include "view/outline_items.h"
 #include "view/plan/plan_geometry.h"
 #include "view/predict/predict.h"
 #include "view/stack/stack_panel.h"
@@ -235,14 +235,19 @@ class Outliner {
     OutlineItem& list = add(region, Role::list, "things", region.name);
     thing(list, {TargetKind::eye}, say("object.eye"));
     const Scene& scene = state_.scene();
-    for (int i = 0; i < static_cast<int>(std::min(scene.lights.size(), most_things)); ++i) {
+    for (int i = 0; i < static_cast<int>(std::min(scene.lights.size(), most_outlined)); ++i) {
       const bool somewhere = middle_of(scene.lights[static_cast<std::size_t>(i)]).has_value();
       thing(list, {TargetKind::light, i}, light_name(state_, i), somewhere);
     }
-    for (int i = 0; i < static_cast<int>(std::min(scene.objects.size(), most_things)); ++i)
+    for (int i = 0; i < static_cast<int>(std::min(scene.objects.size(), most_outlined)); ++i)
       thing(list, {TargetKind::object, i}, object_name(state_, i));
     const std::size_t all = scene.lights.size() + scene.objects.size(), drawn = list.items.size() - 1;
     if (drawn < all) add(region, Role::text, "more", say("plan.objects_drawn", {{"drawn", drawn}, {"all", all}}));
+  }
+
+  void settings() {
+    outline_breakpoints(state_, open("breakpoints", say("breakpoints.title"), true));
+    outline_image_settings(state_, open("image-settings", say("image.settings_title"), true));
   }
 
   void ink() {
@@ -276,8 +281,6 @@ class Outliner {
   }
 
  private:
-  static constexpr std::size_t most_things = 100;  ///< of the plan, of each kind
-
   [[nodiscard]] Language language() const { return state_.appearance.language; }
   [[nodiscard]] std::string say(std::string_view id, const TextArguments& arguments = {}) const {
     return fill(id, language(), arguments);
@@ -294,23 +297,6 @@ class Outliner {
     for (OutlineItem& item : items) leave_out_unsaid(item.items);
   }
 
-  static OutlineItem& add(OutlineItem& parent, Role role, std::string key, std::string name) {
-    parent.items.push_back({role, std::move(key), std::move(name)});
-    return parent.items.back();
-  }
-  static OutlineItem& button(OutlineItem& parent, std::string key, std::string name, const Action& does,
-                             bool enabled = true) {
-    OutlineItem& item = add(parent, Role::button, std::move(key), std::move(name));
-    item.does = write_action(does);
-    item.enabled = enabled;
-    return item;
-  }
-  static void field(OutlineItem& parent, Role role, std::string key, std::string name, std::string does,
-                    std::string value) {
-    OutlineItem& item = add(parent, role, std::move(key), std::move(name));
-    item.does = std::move(does);
-    item.value = std::move(value);
-  }
   /// Those of a lesson's text, between empty lines.
   static void paragraphs(OutlineItem& parent, const std::string& key, std::string_view text) {
     for (int number = 0; !text.empty(); ++number) {
@@ -375,9 +361,9 @@ class Outliner {
       const std::string key = fmt::format("met-{}-{}", name_of(met.kind), met.index);
       button(region, key, name, action::GuessEnd{met}).chosen = open && open->met == met;
     };
-    for (int i = 0; i < static_cast<int>(std::min(state_.scene().objects.size(), most_things)); ++i)
+    for (int i = 0; i < static_cast<int>(std::min(state_.scene().objects.size(), most_outlined)); ++i)
       offer({TargetKind::object, i}, object_name(state_, i));
-    for (int i = 0; i < static_cast<int>(std::min(state_.scene().lights.size(), most_things)); ++i)
+    for (int i = 0; i < static_cast<int>(std::min(state_.scene().lights.size(), most_outlined)); ++i)
       offer({TargetKind::light, i}, light_name(state_, i));
     offer({}, say("predict.nothing"));
   }
@@ -430,6 +416,7 @@ Outline outline(const State& state) {
   parts.stack();
   parts.plan();
   parts.ink();
+  parts.settings();
   parts.help_text();
   return std::move(parts).take();
 }

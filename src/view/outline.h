@@ -34,6 +34,7 @@ struct OutlineItem {
   std::string hint{};            ///< what a button does, in one clause; of a path: its button's name
   std::string value{};           ///< of a field
   bool enabled = true;           ///< of a button
+  std::string leads_to{};        ///< of a button: the key of the region that has what it opens in the window
   std::optional<bool> chosen{};  ///< of a button that is on or off
   bool current = false;          ///< of an entry: the walk is here
   bool folded = false;           ///< of a region: shown by its heading alone until it is asked for

@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -42,6 +43,7 @@ TEST_CASE("the outline has every command once, in every mode and in every langua
       state.appearance.language = language;
       update(state, action::SetMode{mode});
       const auto found = buttons(state);
+      const Outline regions = outline_with_commands(state);
       CHECK(found.size() == commands().size());
       for (const Command* each : commands()) {
         INFO(each->name);
@@ -52,6 +54,10 @@ TEST_CASE("the outline has every command once, in every mode and in every langua
         CHECK(at->second.enabled == enabled(*each, state));
         CHECK(at->second.chosen.has_value() == (each->chosen != nullptr));
         CHECK(at->second.chosen.value_or(false) == chosen(*each, state));
+        const std::string& to = at->second.leads_to;
+        CHECK(to.empty() != (each->name == "breakpoints" || each->name == "image-settings"));
+        const auto is_there = [&](const OutlineItem& item) { return item.key == to && item.folded; };
+        CHECK((to.empty() || std::any_of(regions.begin(), regions.end(), is_there)));
       }
     }
 }

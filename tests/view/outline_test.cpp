@@ -276,6 +276,51 @@ TEST_CASE("a field of words that is left empty asks for words, and ink takes the
   CHECK(nothing->as<action::TypeInk>()->text.empty());
 }
 
+TEST_CASE("where the walk stops can be chosen in the outline") {
+  State state = classic_state();
+  CHECK(faults(outline(state)) == "");
+  use(state, Role::number, "At DEPTH (0: none)", "2");
+  use(state, Role::number, "At pixel (-1: none)", "7");
+  use(state, Role::button, "Total internal reflection");
+  const std::string object = state.scene().objects[1].name;
+  use(state, Role::button, "At a hit of: " + object);
+  const Breakpoints& now = state.walk.breakpoints;
+  CHECK((now.depth == 2 && now.pixel == 7 && now.total_internal_reflection && now.object == object));
+  CHECK(named(state, Role::button, "At a hit of: " + object)->chosen == true);
+  CHECK(named(state, Role::number, "At pixel (-1: none)")->value == "7");
+  use(state, Role::button, "At a hit of: nowhere");
+  CHECK(now.object.empty());
+  use(state, Role::button, "Remove all");
+  CHECK_FALSE(now.any());
+  CHECK_FALSE(named(state, Role::button, "Remove all")->enabled);
+}
+
+TEST_CASE("the settings of the 3-D image can be chosen in the outline") {
+  State state = classic_state();
+  use(state, Role::button, "Integrator: path");
+  use(state, Role::button, "Accelerator: octree");
+  use(state, Role::number, "Samples per pixel", "64");
+  use(state, Role::number, "Samples walked", "4");
+  use(state, Role::button, "Precision: float");
+  use(state, Role::button, "Heat map: time");
+  CHECK(faults(outline(state)) == "");
+  CHECK(state.picture.settings == ImageSettings{AcceleratorKind::octree, true, 64, Integrator::path, 4, Heat::time});
+  CHECK(named(state, Role::button, "Heat map: time")->chosen == true);
+  CHECK(named(state, Role::button, "Heat map: none")->chosen == false);
+  use(state, Role::number, "Maximum depth", "3");
+  use(state, Role::number, "Minimum contribution", "0.25");
+  use(state, Role::button, "Numerics: naive");
+  use(state, Role::number, "Epsilon", "0.5");
+  const Scene& scene = state.scene();
+  CHECK((scene.limits == TraceLimits{3, 0.25} && scene.render.numerics == Numerics::naive));
+  CHECK(scene.render.epsilon == 0.5);
+  CHECK(state.document.undo.size() == 4);
+  CHECK_FALSE(named(state, Role::button, "Radiosity as ambient light"));
+  use(state, Role::button, "Integrator: whitted");
+  use(state, Role::button, "Radiosity as ambient light");
+  CHECK(state.scene().render.radiosity.as_ambient);
+}
+
 TEST_CASE("the dialog of a link is in the outline: its address, or why there is none, and what can be done") {
   State state = classic_state();
   state.link.own_page = "https://own.example/";

@@ -1,6 +1,8 @@
 // Breakpoints and steps by calls, as a person uses them.
 #include "fixtures.h"
+#include "view/action_text.h"
 #include "view/walk/code_panel.h"
+#include "view/walk/walk.h"
 
 #include "support/catch.h"
 
@@ -88,14 +90,27 @@ TEST_CASE("AUTO, Run on, long steps and a run to a line come to rest before a li
 
 TEST_CASE("a condition stops a walk after the line that has brought it about") {
   State state = at_start();
-  Breakpoints breakpoints;
-  breakpoints.depth = 3;
-  update(state, action::SetBreakpoints{breakpoints});
+  update(state, action::StopAt{3});
   update(state, action::RunOn{});
   const std::vector<int> calls = state.walk.timeline->stack(state.walk.position);
   REQUIRE_FALSE(calls.empty());
   CHECK(state.walk.timeline->frames()[static_cast<std::size_t>(calls.front())].depth == 3);
   CHECK(state.walk.timeline->frames()[static_cast<std::size_t>(calls.front())].called_at == state.walk.position);
+}
+
+TEST_CASE("where else a walk stops leaves its lines, and is removed with them") {
+  State state = at_start();
+  update(state, action::ToggleBreakpoint{Line::compute_rtnshade});
+  const action::StopAt chosen{2, 4, true, 1};
+  update(state, chosen);
+  CHECK(state.walk.breakpoints.is_before(Line::compute_rtnshade));
+  CHECK(state.walk.breakpoints.object == state.scene().objects[1].name);
+  CHECK(write_action(stops_chosen(state)) == write_action(chosen));
+  update(state, action::StopAt{0, -1, false, 99});
+  CHECK(write_action(stops_chosen(state)) == write_action(action::StopAt{}));
+  CHECK(state.walk.breakpoints.any());
+  update(state, action::RemoveBreakpoints{});
+  CHECK_FALSE(state.walk.breakpoints.any());
 }
 
 TEST_CASE("STEP goes faster the longer it is held, and stops when it is let go") {

@@ -42,6 +42,7 @@ async function use(page, role, name, typed) {
   const element = await page.waitForSelector(`aria/${name.replace(/ +/g, ' ')}[role="${role}"]`, { timeout: 60000 });
   if (typed === undefined) return element.evaluate((it) => it.click());
   await element.focus();
+  await element.evaluate((it) => it.select()); // as Tab does
   await page.keyboard.type(typed);
   await page.keyboard.press('Enter');
 }
@@ -321,13 +322,19 @@ test('axe-core finds no fault, as a drawing and as text', async () => {
 
 test('the text costs nothing before it is asked for, and speaks the language of the window', async () => {
   const visit = await Visit.begin(browser, server.address), { page } = visit;
+  await page.evaluate(() => {
+    const { raywalk } = window, { ccall } = raywalk;
+    window.outlines = 0;
+    raywalk.ccall = (name, ...rest) => (window.outlines += name === 'page_outline', ccall(name, ...rest));
+  });
   await page.keyboard.press(' ');
   await visit.until((now) => now.position === 1);
-  assert.equal(await page.$eval('#mirror .outline', (element) => element.children.length), 0);
+  assert.equal(await page.evaluate(() => window.outlines), 0);
   await use(page, 'button', open_as_text);
   await page.evaluate(() => { for (const each of document.querySelectorAll('#mirror details')) each.open = true; });
   await use(page, 'button', 'Español');
   await page.waitForFunction(() => document.documentElement.lang === 'es');
+  assert.ok(await page.evaluate(() => window.outlines) > 0);
   assert.ok(says(await spoken(page), 'Seudocódigo'));
   await page.close();
 });
@@ -347,6 +354,43 @@ test('as text, a dialog takes the name that it offers, and a field shows what th
   await visit.until((now) => now.prompt === '');
   assert.ok(await page.evaluate(() => window.chooses));
   assert.deepEqual(visit.complaints, []);
+  await page.close();
+});
+
+test('as text, the buttons of dialogs that are drawn lead to what can be chosen there', async () => {
+  const visit = await Visit.begin(browser, server.address), { page } = visit;
+  await use(page, 'button', open_as_text);
+  for (const [command, heading] of [['breakpoints', 'Where to stop'], ['image-settings', 'The 3-D image']]) {
+    await page.$eval(`#mirror [data-key="button command-${command}"]`, (button) => button.click());
+    assert.equal(await page.evaluate(() => document.activeElement.textContent), heading);
+    assert.ok(await page.evaluate(() => document.activeElement.closest('details').open));
+  }
+  await use(page, 'textbox', 'Samples per pixel', '4');
+  assert.equal(await page.evaluate(() => document.activeElement.value), '4');
+  await use(page, 'button', 'Heat map: time');
+  await visit.until((now) => now.image.finished);
+  assert.equal(await page.$eval('#mirror [data-key="button heat-4"]', (button) => button.ariaPressed), 'true');
+  assert.deepEqual(visit.complaints, []);
+  await page.close();
+});
+
+test('as text, a link that cannot be made says why', async () => {
+  const visit = await Visit.begin(browser, server.address), { page } = visit;
+  await page.evaluate(() => {
+    const spheres = Array.from({ length: 1100 }, (_, i) => `[[object]]\nname = "O${i}"\ntype = "sphere"\ncentre = [${i}, 0, 0]\nradius = 0.1\n`);
+    const dataTransfer = new DataTransfer;
+    dataTransfer.items.add(new File(['[camera]\neye = [-5, 0, 0]\nlook_at = [0, 0, 0]\nfov = 40\n', ...spheres], 'many.toml'));
+    document.getElementById('canvas').dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
+  });
+  await visit.until((now) => now.path === '/files/many.toml');
+  await use(page, 'button', open_as_text);
+  await page.evaluate(() => { for (const each of document.querySelectorAll('#mirror details')) each.open = true; });
+  await use(page, 'button', 'Copy link');
+  await visit.until((now) => now.link_shown);
+  assert.equal(await page.evaluate(() => document.activeElement.textContent), 'Link to this scene and step');
+  assert.ok(says(await spoken(page), 'This scene is too large for a link'));
+  await use(page, 'button', 'Close');
+  await visit.until((now) => !now.link_shown);
   await page.close();
 });
 

@@ -60,8 +60,13 @@ class Mirror {
   }
 
   // What a command opens stands far from its button: the focus goes there.
-  press(button, does) {
+  press(button, { does, to }) {
     const regions = () => [...this.place.querySelectorAll('.outline > section')];
+    if (to) {
+      const region = regions().find((each) => each.dataset.key === 'region ' + to);
+      region.querySelector('details').open = true;
+      return region.querySelector('h2').focus();
+    }
     const before = new Set(regions());
     this.act(does, '');
     const opened = button.dataset.key.startsWith('button command-') && regions().find((each) => !before.has(each));
@@ -207,11 +212,11 @@ class Mirror {
     },
     button: (mirror) => {
       const element = Mirror.make('button', { type: 'button' });
-      let does = '';
-      element.addEventListener('click', () => element.getAttribute('aria-disabled') !== 'true' && mirror.press(element, does));
+      let last = {};
+      element.addEventListener('click', () => element.getAttribute('aria-disabled') !== 'true' && mirror.press(element, last));
       element.tell = (item) => {
         Mirror.say(element, item.name);
-        does = item.does;
+        last = item;
         Mirror.set(element, 'title', item.hint && item.hint !== item.name ? item.hint : null);
         // It keeps the focus while it is of no use.
         Mirror.set(element, 'aria-disabled', item.enabled === false ? true : null);

@@ -157,9 +157,12 @@ struct SetCamera {
   void apply(State& state) const;
 };
 struct SetLimits {
+  static constexpr std::string_view word = "limits";
   TraceLimits limits;
   bool continues = false;
-  static void fields(auto& f, auto& a) { f(a.limits, Unwritten{}), f(a.continues, Unwritten{}); }
+  static void fields(auto& f, auto& a) {
+    f(a.limits.depth), f(a.limits.threshold, Number::any), f(a.continues, Unwritten{});
+  }
   void apply(State& state) const;
 };
 /// Of the scene: affects walk, picture and file.

@@ -20,6 +20,25 @@ std::string_view text(Subsurface subsurface, Language language) {
   return family_text("subsurface", name_of(subsurface), language);
 }
 
+std::string_view text(Heat heat, Language language) {
+  const auto id = [&]() -> std::string_view {
+    switch (heat) {
+      case Heat::none:
+        return "heat.none";
+      case Heat::rays:
+        return "heat.rays";
+      case Heat::tests:
+        return "heat.tests";
+      case Heat::time:
+        return "heat.time";
+      case Heat::noise:
+        return "heat.noise";
+    }
+    return "heat.none";
+  }();
+  return text(id, language);
+}
+
 std::string_view text(Effect effect, Language language) { return family_text("effect", name_of(effect), language); }
 
 }  // namespace raywalk

@@ -93,7 +93,25 @@ void action::ToggleBreakpoint::apply(State& state) const {
   before = !before;
 }
 
-void action::SetBreakpoints::apply(State& state) const { state.walk.breakpoints = breakpoints; }
+action::StopAt stops_chosen(const State& state) {
+  const Breakpoints& now = state.walk.breakpoints;
+  const std::vector<Object>& objects = state.scene().objects;
+  const auto at = std::find_if(objects.begin(), objects.end(), [&](const Object& o) { return o.name == now.object; });
+  return {now.depth.value_or(0), now.pixel.value_or(-1), now.total_internal_reflection,
+          at == objects.end() ? -1 : static_cast<int>(at - objects.begin())};
+}
+
+void action::StopAt::apply(State& state) const {
+  Breakpoints& next = state.walk.breakpoints;
+  const std::vector<Object>& objects = state.scene().objects;
+  next.depth = depth > 0 ? std::optional(depth) : std::nullopt;
+  next.pixel = pixel >= 0 ? std::optional(pixel) : std::nullopt;
+  next.total_internal_reflection = total_internal_reflection;
+  const bool is_there = object >= 0 && object < static_cast<int>(objects.size());
+  next.object = is_there ? objects[static_cast<std::size_t>(object)].name : std::string();
+}
+
+void action::RemoveBreakpoints::apply(State& state) const { state.walk.breakpoints = {}; }
 
 void action::SetMode::apply(State& state) const {
   if (mode == Mode::help && state.walk.mode != Mode::help) state.walk.before_help = state.walk.mode;

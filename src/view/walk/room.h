@@ -104,9 +104,21 @@ struct ToggleBreakpoint {
   static void fields(auto& f, auto& a) { f(a.line); }
   void apply(State& state) const;
 };
-struct SetBreakpoints {
-  Breakpoints breakpoints;
-  static void fields(auto& f, auto& a) { f(a.breakpoints, Unwritten{}); }
+/// Where else a walk stops: at a call of SHADE with a depth, where a pixel begins, under total internal reflection,
+/// where a ray hits an object.
+struct StopAt {
+  static constexpr std::string_view word = "stop-at";
+  int depth = 0;   ///< 0: nowhere
+  int pixel = -1;  ///< -1: nowhere
+  bool total_internal_reflection = false;
+  int object = -1;  ///< -1: nowhere
+  static void fields(auto& f, auto& a) {
+    f(a.depth), f(a.pixel), f(a.total_internal_reflection, on_or_off), f(a.object);
+  }
+  void apply(State& state) const;
+};
+struct RemoveBreakpoints {
+  static constexpr std::string_view word = "remove-breakpoints";
   void apply(State& state) const;
 };
 /// STEP or BACK is held down: repeats, faster and faster, until Release, a step, or a breakpoint.
@@ -178,10 +190,11 @@ namespace raywalk {
 
 /// The recorded walk, the position in it, and how it is played.
 struct WalkRoom {
-  using Actions = Types<action::SetMode, action::Step, action::Jump, action::JumpToRay, action::JumpToCell,
-                        action::RunToLine, action::RunOn, action::ToggleBreakpoint, action::SetBreakpoints,
-                        action::Hold, action::Release, action::PlayPause, action::SetSpeed, action::SetGrain,
-                        action::Clear, action::Tick, action::Wait, action::ShowGhosts, action::SetTweens>;
+  using Actions =
+      Types<action::SetMode, action::Step, action::Jump, action::JumpToRay, action::JumpToCell, action::RunToLine,
+            action::RunOn, action::ToggleBreakpoint, action::StopAt, action::RemoveBreakpoints, action::Hold,
+            action::Release, action::PlayPause, action::SetSpeed, action::SetGrain, action::Clear, action::Tick,
+            action::Wait, action::ShowGhosts, action::SetTweens>;
   static Commands commands();
   static void follow(State& state, const Before& before);
 

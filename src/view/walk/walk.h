@@ -26,6 +26,10 @@ void follow_with_ghosts(State& state);
 /// The displayed values of the cells of the strip that the plan shows, by column; absent: not computed yet.
 [[nodiscard]] std::vector<std::optional<Rgbd>> shades_shown(const State& state);
 
+/// Where else than at lines the walk stops, as it was chosen.
+[[nodiscard]] action::StopAt stops_chosen(const State& state);
+inline constexpr int deepest_stop = 99;  ///< that is offered
+
 void go_to(State& state, int position);
 /// The position after one step of `grain`.
 [[nodiscard]] int stepped(const Timeline& timeline, int position, Grain grain, bool forward);

@@ -1,0 +1,104 @@
+#include "scene/effects.h"
+#include "view/outline_items.h"
+#include "view/text/choice_text.h"
+#include "view/text/shown.h"
+#include "view/text/text.h"
+#include "view/walk/walk.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace raywalk {
+
+namespace {
+
+using Role = OutlineItem::Role;
+
+/// A button for each of these values, which says what it is of; `named` is its text.
+template <class Choices, class Value, class Named, class Doing>
+void choose(OutlineItem& region, std::string_view key, const std::string& label, const Choices& choices,
+            const Value& now, const Named& named, const Doing& does) {
+  int number = 0;
+  for (const auto& choice : choices)
+    button(region, fmt::format("{}-{}", key, ++number), label + ": " + std::string(named(choice)), does(choice))
+        .chosen = choice == now;
+}
+
+}  // namespace
+
+void outline_breakpoints(const State& state, OutlineItem& region) {
+  const Language language = state.appearance.language;
+  const auto say = [&](std::string_view id) { return std::string(text(id, language)); };
+  if (breakpoints_in_force(state) != state.walk.breakpoints) add(region, Role::warning, "off", say("breakpoints.off"));
+  const action::StopAt now = stops_chosen(state);
+  const std::string_view total = now.total_internal_reflection ? "on" : "off";
+  field(region, Role::number, "depth", say("breakpoints.at_depth"),
+        fmt::format("stop-at {{}} {} {} {}", now.pixel, total, now.object), std::to_string(now.depth));
+  field(region, Role::number, "pixel", say("breakpoints.at_pixel"),
+        fmt::format("stop-at {} {{}} {} {}", now.depth, total, now.object), std::to_string(now.pixel));
+  action::StopAt next = now;
+  next.total_internal_reflection = !now.total_internal_reflection;
+  button(region, "total", say("breakpoints.at_total"), next).chosen = now.total_internal_reflection;
+  next = now;
+  const int objects = static_cast<int>(std::min(state.scene().objects.size(), most_outlined));
+  for (next.object = -1; next.object < objects; ++next.object) {
+    const std::string name = next.object < 0 ? say("breakpoints.nowhere") : object_name(state, next.object);
+    button(region, fmt::format("object-{}", next.object), say("breakpoints.at_object") + ": " + name, next).chosen =
+        next.object == now.object;
+  }
+  button(region, "remove", say("breakpoints.remove"), action::RemoveBreakpoints{}, state.walk.breakpoints.any());
+}
+
+void outline_image_settings(const State& state, OutlineItem& region) {
+  const Language language = state.appearance.language;
+  const auto say = [&](std::string_view id) { return std::string(text(id, language)); };
+  const auto named = [&](const auto& choice) { return text(choice, language); };
+  const ImageSettings& now = state.picture.settings;
+  const Scene& scene = state.scene();
+  const auto with = [&](auto ImageSettings::* part) {
+    return [&now, part](const auto& choice) {
+      ImageSettings next = now;
+      next.*part = choice;
+      return action::SetImageSettings{next};
+    };
+  };
+  choose(region, "integrator", say("property.integrator"), values_of<Integrator>,
+         now.integrator.value_or(scene.render.integrator), named, with(&ImageSettings::integrator));
+  choose(region, "accelerator", say("property.accelerator"), pickable_accelerators, now.accelerator, named,
+         with(&ImageSettings::accelerator));
+  const auto line = [&](std::string_view samples, std::string_view walk_samples) {
+    return fmt::format("image-settings {} {} {} {} {}{}{}", name_of(now.accelerator),
+                       now.single_precision ? float_or_double.yes : float_or_double.no, samples, walk_samples,
+                       name_of(now.heat), now.integrator ? " " : "", now.integrator ? name_of(*now.integrator) : "");
+  };
+  field(region, Role::number, "samples", say("property.samples"), line("{}", std::to_string(now.walk_samples)),
+        std::to_string(now.samples));
+  field(region, Role::number, "walk-samples", say("property.walk_samples"), line(std::to_string(now.samples), "{}"),
+        std::to_string(now.walk_samples));
+  choose(
+      region, "precision", say("property.precision"), precisions, now.single_precision,
+      [&](bool single) { return text(precision_word(single), language); }, with(&ImageSettings::single_precision));
+  choose(region, "heat", say("property.heat"), values_of<Heat>, now.heat, named, with(&ImageSettings::heat));
+
+  // Of the scene: they change its walk and its file, too.
+  const TraceLimits& limits = scene.limits;
+  field(region, Role::number, "depth", say("property.limits_depth"), fmt::format("limits {{}} {}", limits.threshold),
+        std::to_string(limits.depth));
+  field(region, Role::number, "threshold", say("property.threshold"), fmt::format("limits {} {{}}", limits.depth),
+        number_text(limits.threshold, language));
+  const RenderChoices& render = scene.render;
+  choose(region, "numerics", say("property.numerics"), values_of<Numerics>, render.numerics, named,
+         [&](Numerics numerics) { return action::SetNumerics{numerics, render.epsilon}; });
+  field(region, Role::number, "epsilon", say("property.epsilon"),
+        fmt::format("numerics {} {{}}", name_of(render.numerics)), number_text(render.epsilon, language));
+  const bool as_ambient = render.radiosity.as_ambient;
+  if (effects_of(scene).used(Effect::scattering))
+    choose(region, "subsurface", say("property.subsurface"), values_of<Subsurface>, render.subsurface, named,
+           [&](Subsurface subsurface) { return action::SetLightWays{subsurface, as_ambient}; });
+  if (may_take_ambient_from_patches(now.integrator.value_or(render.integrator)))
+    button(region, "as-ambient", say("property.as_ambient"), action::SetLightWays{render.subsurface, !as_ambient})
+        .chosen = as_ambient;
+}
+
+}  // namespace raywalk
