@@ -131,12 +131,28 @@ test('messages that are none are refused with a sentence, and those of others ar
 
 test('a frame that was given an origin hears no other, and one without ?embed hears nobody', async () => {
   for (const query of ['embed=https://course.example&language=en', 'embed=nonsense&language=en', 'language=en']) {
-    const visit = await Course.begin(query, 'allow-scripts');
+    const visit = await Course.begin(query + '#v=1/scene=glass/step=12', 'allow-scripts');
     const frame = await (await visit.page.$('#frame')).contentFrame();
     await frame.waitForFunction(() => document.getElementById('says')?.hidden, { timeout: 120000 });
     await visit.tell({ raywalk: 1, do: 'go', step: 3 });
     await new Promise((again) => setTimeout(again, 1000));
     assert.deepEqual(await visit.page.evaluate(() => window.heard), []);
+    assert.equal(await frame.evaluate(() => JSON.parse(window.raywalk.ccall('page_told', 'string')).moment.step), 12);
     await visit.page.close();
   }
+});
+
+test('in a sandbox, who saves a scene is told that this may be forbidden', async () => {
+  const visit = await Course.begin('embed&language=en', 'allow-scripts');
+  await visit.hears('ready');
+  const frame = await (await visit.page.$('#frame')).contentFrame();
+  await frame.evaluate(() => {
+    window.raywalk.ccall('page_act', null, ['string'], ['save-as /files/x.toml']);
+    window.dispatchEvent(new Event('focus'));
+  });
+  await frame.waitForFunction(() => {
+    const { hidden, textContent } = document.getElementById('says');
+    return !hidden && textContent.includes('may forbid downloads');
+  }, { timeout: 60000 });
+  await visit.page.close();
 });

@@ -198,19 +198,31 @@ test('what is not saved yet is kept when the page is hidden, and again after the
   await page.close();
 });
 
-test('a host without encryption keeps the work of a tab, too', async () => {
+test('on a host without encryption work belongs to its tab while that lives, and then to the next one', async () => {
   const visit = await Visit.begin(browser, server.address), { page } = visit;
-  await page.evaluateOnNewDocument(() => Object.defineProperty(navigator, 'locks', { value: undefined }));
-  const start = async () => {
-    await page.reload();
+  const begin = async (page, go) => {
+    await page.evaluateOnNewDocument(() => Object.defineProperty(navigator, 'locks', { value: undefined }));
+    await go();
     await page.waitForFunction(() => window.raywalk && document.getElementById('says').hidden, { timeout: 120000 });
+    return page;
   };
-  await start();
+  const another = async () => {
+    const page = await visit.context.newPage();
+    return begin(page, () => page.goto(`${server.address}?language=en`));
+  };
+  const has_work = (page) => page.evaluate(() => window.raywalk.FS.readdir('/kept').includes('autosave.toml'));
+  await begin(page, () => page.reload());
   await visit.add_sphere();
   await visit.until((now) => now.dirty && now.undo === 1);
-  await start();
-  assert.ok(await page.evaluate(() => window.raywalk.FS.readdir('/kept').includes('autosave.toml')));
+  await begin(page, () => page.reload());
+  assert.ok(await has_work(page));
+  const other = await another();
+  assert.ok(!await has_work(other));
+  await other.close();
   await page.close();
+  const next = await another();
+  assert.ok(await has_work(next));
+  await next.close();
 });
 
 test('a drawing that the browser drops is said to be gone, and the work is kept', async () => {

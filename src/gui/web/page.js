@@ -13,9 +13,21 @@ const language = [asked.get('language'), ...navigator.languages].map((tag) => ta
   .find((code) => code in words) ?? 'en';
 document.documentElement.lang = language;
 
+const our_words = () => words[document.documentElement.lang] ?? words.en;
+
 function say(id, why = '') {
-  says.textContent = words[language][id] + (why ? '\n' + why : '');
+  says.className = '';
+  says.textContent = our_words()[id] + (why ? '\n' + why : '');
   says.hidden = false;
+}
+
+// Beside the drawing, for a while.
+let remarked = 0;
+function remark(id) {
+  say(id);
+  says.className = 'remark';
+  clearTimeout(remarked);
+  remarked = setTimeout(() => { says.hidden = !failed; }, 15000);
 }
 
 let program;  // Emscripten's module, once it has its files
@@ -28,7 +40,7 @@ function end(id, why) {
   if (failed) return;
   failed = true;
   running = false;
-  say(id, [words[language][database ? 'kept' : 'not_kept'], why].join('\n'));
+  say(id, [our_words()[database ? 'kept' : 'not_kept'], why].join('\n'));
   if (program) keep();
 }
 
@@ -46,10 +58,12 @@ canvas.addEventListener('webglcontextlost', () => {
 
 // --- What is kept between visits: the files of /kept, in the browser's database --------------------------------------
 //
-// An autosave belongs to its tab, under a key of its own, until that tab is gone; the others belong to all tabs. Hosts
-// without encryption have no locks: there a tab is never known to be gone.
+// An autosave belongs to its tab, under a key of its own, until that tab is gone; the others belong to all tabs. A tab that
+// lives holds a lock. Hosts without encryption have none: there it answers who asks, within `patience`.
 
 let tab = '';
+const patience = 1000;  // milliseconds
+const others = new Set();  // tabs that have answered
 const tabs = self.origin !== 'null' && typeof BroadcastChannel === 'function' ? new BroadcastChannel('raywalk') : null;
 const is_own = (name) => name.startsWith('autosave');
 const key_of = (name) => is_own(name) ? `own/${tab}/${name}` : `shared/${name}`;
@@ -63,15 +77,19 @@ const done = (request) => new Promise((resolve, reject) => {
 
 // Holds the lock of this name as long as the page lives; false when another page does not let it go.
 function hold(name) {
-  if (!navigator.locks) return true;
-  const patience = AbortSignal.timeout(1000); // a page that is loaded again waits for itself to be gone
-  return new Promise((held) => navigator.locks.request(name, { signal: patience }, () => (held(true), new Promise(() => {})))
+  if (!navigator.locks) return !others.has(name);
+  const signal = AbortSignal.timeout(patience); // a page that is loaded again waits for itself to be gone
+  return new Promise((held) => navigator.locks.request(name, { signal }, () => (held(true), new Promise(() => {})))
     .catch(() => held(false)));
 }
 
 // Names this tab, as before it was loaded again; but a tab that was made from another has that one's name.
 async function name_tab() {
   tab = sessionStorage.getItem('raywalk') ?? '';
+  if (!navigator.locks) {
+    tabs?.postMessage({ asks: true });
+    await new Promise((answered) => setTimeout(answered, patience));
+  }
   if (tab && await hold('raywalk/' + tab)) return;
   tab = Array.from(crypto.getRandomValues(new Uint32Array(4)), (part) => part.toString(36)).join('');
   sessionStorage.setItem('raywalk', tab);
@@ -108,8 +126,8 @@ async function recall() {
   const files = new Map();
   try {
     await name_tab();
-    const held = new Set((await navigator.locks?.query())?.held.map((lock) => lock.name));
-    const lives = (other) => other !== tab && (!navigator.locks || held.has('raywalk/' + other));
+    const living = navigator.locks ? new Set((await navigator.locks.query()).held.map((lock) => lock.name)) : others;
+    const lives = (other) => other !== tab && living.has('raywalk/' + other);
     await open_database();
     const store = database.transaction('files', 'readwrite').objectStore('files');
     const [keys, contents] = await Promise.all([done(store.getAllKeys()), done(store.getAll())]);
@@ -179,7 +197,11 @@ function put_kept(name, bytes) {
   kept.set(name, stamp_of('/kept/' + name));
 }
 
-if (tabs) tabs.onmessage = ({ data }) => running && put_kept(data.name, data.bytes);
+if (tabs) tabs.onmessage = ({ data: { asks, answers, name, bytes } }) => {
+  if (asks && tab) tabs.postMessage({ answers: 'raywalk/' + tab });
+  if (answers) others.add(answers);
+  if (name && running) put_kept(name, bytes);
+};
 
 // --- The user's files: /files --------------------------------------------------------------------------------------
 //
@@ -236,6 +258,7 @@ function download() {
     link.href = URL.createObjectURL(new Blob([program.FS.readFile(path)]));
     link.download = path.slice(path.lastIndexOf('/') + 1);
     link.click();
+    if (self.origin === 'null' && window.parent !== window) remark('may_be_forbidden'); // nobody tells a sandbox
     setTimeout(() => URL.revokeObjectURL(link.href), 60000);
   }
 }
@@ -359,8 +382,8 @@ text_place.querySelector('.leave').addEventListener('click', () => mirror.show(f
 
 // What the page itself says, in the language of the program.
 function name_parts(now) {
-  const said = words[now] ?? words.en;
   document.documentElement.lang = now;
+  const said = our_words();
   Mirror.say(as_text, said.as_text);
   for (const title of document.querySelectorAll('h1')) Mirror.say(title, document.title);
   Mirror.say(text_place.querySelector('.leave'), said.as_drawing);
