@@ -40,6 +40,8 @@ GalleryPictures::Picture GalleryPictures::of(const std::string& path) {
   return kept->shown;
 }
 
+void GalleryPictures::forget() { kept_.clear(); }
+
 namespace {
 
 namespace fs = std::filesystem;

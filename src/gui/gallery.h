@@ -26,6 +26,8 @@ class GalleryPictures {
     float width = 0, height = 0;
   };
   [[nodiscard]] Picture of(const std::string& path);
+  /// All are read again.
+  void forget();
 
  private:
   struct Kept;

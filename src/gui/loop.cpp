@@ -196,6 +196,14 @@ class Loop::Parts {
     if (!broken_) autosave(state_, autosave_every);
   }
 
+  void draw_again() {
+    window_.draw_again();
+    shown_image_.show_again(image_.preview().size(), image_.preview().rgba());
+    shown_costs_.show_again(costs_.size(), costs_.rgba());
+    gallery_.forget();
+    frames_due_ = frames_to_settle;
+  }
+
   [[nodiscard]] const State& state() const { return state_; }
 
   [[nodiscard]] bool holds_at(float x, float y) const {
@@ -536,6 +544,8 @@ Result<void> Loop::act_by_outline(std::string_view does, std::string_view typed)
 }
 
 bool Loop::holds_at(float x, float y) const { return parts_->holds_at(x, y); }
+
+void Loop::draw_again() { parts_->draw_again(); }
 
 void Loop::autosave_now() { parts_->autosave_now(); }
 

@@ -33,6 +33,8 @@ class Loop {
   Result<void> act_by_outline(std::string_view does, std::string_view typed);
   /// Writes an autosave of unsaved work that has none yet: nobody may come back to what is left now.
   void autosave_now();
+  /// The graphics card has lost all that was drawn with.
+  void draw_again();
   [[nodiscard]] const State& state() const;
   /// Whether a button is there, in units, that repeats while it is held down.
   [[nodiscard]] bool holds_at(float x, float y) const;

@@ -22,6 +22,12 @@ class ShownPicture {
     at_ = now;
     return true;
   }
+  /// What was shown has been lost.
+  void show_again(ImageSize size, const std::vector<std::uint8_t>& rgba) {
+    if (texture_.id() == 0) return;
+    texture_.forget();
+    texture_.upload(size.width, size.height, rgba.data());
+  }
   [[nodiscard]] unsigned texture() const { return texture_.id(); }
 
  private:

@@ -283,6 +283,11 @@ void Window::upload_fonts() {
 #endif
 }
 
+void Window::draw_again() {
+  ImGui_ImplOpenGL3_Shutdown();
+  ImGui_ImplOpenGL3_Init(platform::shading_language());
+}
+
 // A drag begins where the button went down, even if the pointer has moved before the frame; and a key released before
 // the frame still counts as pressed. Each gets its own frame.
 void Window::replay_fast_input() {

@@ -59,6 +59,8 @@ class Window {
   void toggle_full_screen();
   /// Uploads the rebuilt font atlas to the GPU.
   void upload_fonts();
+  /// Where the graphics card has lost what it was given: ImGui's part is made anew.
+  void draw_again();
 
   /// `with_pointer` false: without pointer and buttons, for screenshots.
   void begin_frame(bool with_pointer = true);
@@ -106,6 +108,8 @@ class Texture {
   /// `rgba`: width * height * 4 bytes, top row first.
   void upload(int width, int height, const unsigned char* rgba);
   [[nodiscard]] unsigned id() const { return id_; }
+  /// What the graphics card has lost: the next upload makes it anew.
+  void forget() { id_ = 0, width_ = height_ = 0; }
 
  private:
   unsigned id_ = 0;

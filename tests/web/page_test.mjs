@@ -225,6 +225,30 @@ test('on a host without encryption work belongs to its tab while that lives, and
   await next.close();
 });
 
+test('a drawing that the browser drops and gives back is as it was', async () => {
+  const visit = await Visit.begin(browser, server.address), { page } = visit;
+  await visit.until(image_done, 'the image is finished');
+  await visit.rests();
+  const before = await page.screenshot({ encoding: 'base64' });
+  await page.evaluate(() => {
+    const canvas = document.getElementById('canvas'), losing = canvas.getContext('webgl2').getExtension('WEBGL_lose_context');
+    canvas.addEventListener('webglcontextlost', () => setTimeout(() => losing.restoreContext(), 500));
+    canvas.addEventListener('webglcontextrestored', () => { window.restored = true; });
+    losing.loseContext();
+  });
+  await page.waitForFunction(() => window.restored && document.getElementById('says').hidden);
+  await visit.rests();
+  assert.ok(await page.screenshot({ encoding: 'base64' }) === before, 'the picture of the page is the same'); // not both, in letters
+  await visit.act('ask-open'); // whose pictures are read again
+  await visit.until((now) => now.prompt === 'open');
+  await page.keyboard.press('Escape');
+  await visit.until((now) => now.prompt === '');
+  await page.keyboard.press(' ');
+  await visit.until((now) => now.position === 1);
+  assert.deepEqual(visit.complaints, []);
+  await page.close();
+});
+
 test('a drawing that the browser drops is said to be gone, and the work is kept', async () => {
   const visit = await Visit.begin(browser, server.address, {}, '&language=en'), { page } = visit;
   await visit.add_sphere();

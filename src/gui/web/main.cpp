@@ -167,6 +167,11 @@ EMSCRIPTEN_KEEPALIVE void page_open(const char* paths) {
   guarded([&] { page_loop().act(action::Open{std::string(chosen)}); });
 }
 
+/// All that the drawing was made with is gone.
+EMSCRIPTEN_KEEPALIVE void page_draw_again() {
+  guarded([] { page_loop().draw_again(); });
+}
+
 /// Whether a key press, "Ctrl+Shift+S", does anything in the window: the browser then should not.
 EMSCRIPTEN_KEEPALIVE bool page_uses_key(const char* written) {
   const KeyPress press = key_press(written);

@@ -50,10 +50,20 @@ function fail(why) {
   end(/memory/i.test(said) ? 'out_of_memory' : 'failed', said);
 }
 
-// The browser takes it from pages that nobody sees, and where the graphics card starts anew.
-canvas.addEventListener('webglcontextlost', () => {
+// The browser takes it from pages that nobody sees, and where the graphics card starts anew; and may give it back.
+canvas.addEventListener('webglcontextlost', (event) => {
+  if (!running) return end('drawing_lost', '');
+  event.preventDefault();
   leave();
-  end('drawing_lost', '');
+  running = false;
+  say('drawing_lost', our_words()[database ? 'kept' : 'not_kept']);
+});
+canvas.addEventListener('webglcontextrestored', () => {
+  if (failed) return;
+  running = true;
+  says.hidden = true;
+  program._page_draw_again();
+  soon();
 });
 
 // --- What is kept between visits: the files of /kept, in the browser's database --------------------------------------
