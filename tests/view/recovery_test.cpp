@@ -41,6 +41,29 @@ TEST_CASE("what is not saved is autosaved within seconds, and recovered at the n
   CHECK_FALSE(std::filesystem::exists(autosave));
 }
 
+TEST_CASE("what was saved and did not arrive is unsaved work again, and autosaved") {
+  const TemporaryFolder folder;
+  State state = saved_state(folder);
+  make_dirty(state);
+  update(state, action::Save{});
+  const std::string path = folder.file("scene.toml"), autosave = folder.file("state/autosave.toml");
+  update(state, action::NotSaved{folder.file("another.toml"), "no room"});
+  REQUIRE_FALSE(state.document.dirty);
+  update(state, action::NotSaved{path, "no room"});
+  CHECK(state.document.dirty);
+  CHECK(state.document.notice->kind == Notice::Kind::error);
+  CHECK_THAT(state.document.notice->text, contains("scene.toml") && contains("no room"));
+  for (int i = 0; i < 8; ++i) update(state, action::Tick{1});
+  CHECK(std::filesystem::exists(autosave));
+  update(state, action::New{});
+  CHECK(state.document.question);
+  update(state, action::AnswerQuestion{Answer::cancel});
+  update(state, action::Save{});
+  CHECK_FALSE(state.document.dirty);
+  update(state, action::NotSaved{path, ""});
+  CHECK(state.document.dirty);
+}
+
 TEST_CASE("work on a file that begins with a byte order mark is recovered") {
   const TemporaryFolder folder;
   static_cast<void>(saved_state(folder));

@@ -72,6 +72,8 @@ export class Visit {
     visit.page.on('pageerror', (error) => visit.complaints.push(String(error)));
     visit.requests = [];
     visit.page.on('request', (request) => visit.requests.push(request.url()));
+    // Nobody answers a dialog of the browser's own: what is saved is downloaded, unless a test stands in for it.
+    await visit.page.evaluateOnNewDocument(() => { for (const name of ['showOpenFilePicker', 'showSaveFilePicker']) delete window[name]; });
     await visit.page.setViewport({ width: 1280, height: 720, ...size });
     visit.begun = Date.now();
     await visit.page.goto(`${address}?report=/report.json${more || '&language=en'}`); // `more` may end in a link

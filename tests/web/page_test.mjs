@@ -359,3 +359,71 @@ test('a file that is chosen is opened, and one that is saved is downloaded', asy
   assert.equal(readFileSync(saved, 'utf8'), readFileSync(join(scenes, 'mesh.toml'), 'utf8'));
   await visit.page.close();
 });
+
+test('a scene is saved into the file that it was opened from, or for which the browser was told a place once', only_in_chromium, async () => {
+  const visit = await Visit.begin(browser, server.address), { page } = visit;
+  const scene = readFileSync(join(process.env.RAYWALK_SOURCE_DIR, 'scenes/classic.toml'), 'utf8');
+  // The browser's private files stand in for the user's.
+  await page.evaluateOnNewDocument((scene) => {
+    const file = async (name) => (await navigator.storage.getDirectory()).getFileHandle(name, { create: true });
+    const { prototype } = FileSystemFileHandle;
+    Object.assign(window, { file, downloads: 0, asked: 0, answer: null });
+    HTMLAnchorElement.prototype.click = () => { ++window.downloads; };
+    window.showSaveFilePicker = ({ suggestedName }) => {
+      ++window.asked;
+      return window.answer ? Promise.reject(new DOMException('no', window.answer)) : file(suggestedName);
+    };
+    window.showOpenFilePicker = async () => {
+      const own = await file('mine.toml'), writing = await own.createWritable();
+      await writing.write(scene);
+      await writing.close();
+      return [own];
+    };
+    prototype.requestPermission = async () => window.answer ? 'denied' : 'granted';
+  }, scene);
+  await page.reload();
+  await page.waitForFunction(() => window.raywalk && document.getElementById('says').hidden, { timeout: 120000 });
+  const objects_in = (name) => page.evaluate(async (name) =>
+    (await (await (await window.file(name)).getFile()).text()).split('[[object]]').length, name);
+  const with_objects = async (name, count) => {
+    for (let tries = 0; await objects_in(name) !== count; ++tries) {
+      assert.ok(tries < 200, `${name} has ${count} parts`);
+      await new Promise((again) => setTimeout(again, 50));
+    }
+  };
+  const answer = (how) => page.evaluate((how) => { window.answer = how; }, how);
+  const objects = scene.split('[[object]]').length;
+
+  await answer('AbortError'); // of who closes the dialog
+  await visit.act('save-as /files/new.toml');
+  await visit.until((now) => now.dirty && now.notice.includes('new.toml is not saved'));
+  await answer(null);
+  await visit.act('save');
+  await with_objects('new.toml', objects);
+  await visit.add_sphere();
+  await visit.until((now) => now.dirty);
+  await visit.act('save');
+  await with_objects('new.toml', objects + 1);
+  await visit.until((now) => !now.dirty);
+  assert.equal(await page.evaluate(() => window.asked), 2);
+
+  await page.evaluate(() => window.raywalk.chooseFiles());
+  await visit.until((now) => now.path === '/files/mine.toml');
+  await answer('NotAllowedError');
+  await visit.add_sphere();
+  await visit.until((now) => now.dirty);
+  await visit.act('save');
+  await visit.until((now) => now.dirty && now.notice.includes('mine.toml is not saved'));
+  await with_objects('mine.toml', objects);
+  await answer(null);
+  await visit.act('save');
+  await with_objects('mine.toml', objects + 1);
+  assert.deepEqual(await page.evaluate(() => [window.asked, window.downloads]), [2, 0]);
+
+  await answer('SecurityError'); // of a frame of another host's
+  await visit.act('save-as /files/third.toml');
+  await page.waitForFunction(() => window.downloads === 1);
+  await visit.until((now) => !now.dirty && now.path === '/files/third.toml');
+  assert.deepEqual(visit.complaints, []);
+  await page.close();
+});

@@ -167,6 +167,14 @@ EMSCRIPTEN_KEEPALIVE void page_open(const char* paths) {
   guarded([&] { page_loop().act(action::Open{std::string(chosen)}); });
 }
 
+/// What was saved there is not in the user's file: refused, where `why` is empty. False if another scene is open by
+/// now.
+EMSCRIPTEN_KEEPALIVE bool page_not_saved(const char* path, const char* why) {
+  if (page_loop().state().document.path != path) return false;
+  guarded([&] { page_loop().act(action::NotSaved{path, why}); });
+  return true;
+}
+
 /// All that the drawing was made with is gone.
 EMSCRIPTEN_KEEPALIVE void page_draw_again() {
   guarded([] { page_loop().draw_again(); });

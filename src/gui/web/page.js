@@ -215,7 +215,8 @@ if (tabs) tabs.onmessage = ({ data: { asks, answers, name, bytes } }) => {
 
 // --- The user's files: /files --------------------------------------------------------------------------------------
 //
-// What is chosen or dropped is copied there; what the program writes there is downloaded.
+// What is chosen or dropped is copied there. A scene that the program writes there is written to the user's own file, where
+// the browser can; all else is downloaded.
 
 const taken = new Map();  // of /files: path to stamp, as last chosen or downloaded
 let files_changed = 0;    // by the user
@@ -242,11 +243,14 @@ function open_of(paths) {
   soon();
 }
 
+// `own`: the user's file itself, where the browser tells.
 async function take(files) {
   const paths = [];
-  for (const { name, file } of files) {
+  for (const { name, file, own } of files) {
     const parts = name.split('/').filter((part) => part && part !== '.' && part !== '..');
     const path = '/files/' + parts.join('/');
+    if (own) own_files.set(path, own);
+    else own_files.delete(path);
     const bytes = await file?.arrayBuffer().catch(unreadable);
     if (bytes) {
       program.FS.mkdirTree(path.slice(0, path.lastIndexOf('/')));
@@ -259,28 +263,75 @@ async function take(files) {
   open_of(paths);
 }
 
-function download() {
+const own_files = new Map();  // the user's, by their paths in /files
+const picks = typeof showSaveFilePicker === 'function' && self.origin !== 'null';
+let being_written = Promise.resolve(), writes = 0;
+const name_in = (path) => path.slice(path.lastIndexOf('/') + 1);
+
+// Writes what has changed in /files.
+function give() {
   for (const path of all_files()) {
     const stamp = stamp_of(path);
     if (taken.get(path) === stamp) continue;
     taken.set(path, stamp);
-    const link = document.createElement('a');
-    link.href = URL.createObjectURL(new Blob([program.FS.readFile(path)]));
-    link.download = path.slice(path.lastIndexOf('/') + 1);
-    link.click();
-    if (self.origin === 'null' && window.parent !== window) remark('may_be_forbidden'); // nobody tells a sandbox
-    setTimeout(() => URL.revokeObjectURL(link.href), 60000);
+    if (!picks || !path.endsWith('.toml')) {
+      download(path);
+      continue;
+    }
+    ++writes;
+    being_written = being_written.then(() => write(path)).catch((why) => not_written(path, why)).finally(() => --writes);
+  }
+}
+
+function download(path) {
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(new Blob([program.FS.readFile(path)]));
+  link.download = name_in(path);
+  link.click();
+  if (self.origin === 'null' && window.parent !== window) remark('may_be_forbidden'); // nobody tells a sandbox
+  setTimeout(() => URL.revokeObjectURL(link.href), 60000);
+}
+
+// Into the user's file; asks once where that is, and whether it may.
+async function write(path) {
+  const bytes = program.FS.readFile(path), own = own_files.get(path) ?? await showSaveFilePicker({ suggestedName: name_in(path) });
+  if (await own.requestPermission({ mode: 'readwrite' }) !== 'granted') throw new DOMException('', 'AbortError');
+  const file = await own.createWritable();
+  await file.write(bytes);
+  await file.close();
+  own_files.set(path, own);
+}
+
+// The browser asks nobody where this page is in another host's, or long after a key was pressed.
+function not_written(path, why) {
+  console.warn(path, why);
+  const refused = ['AbortError', 'NotAllowedError'].includes(why.name);
+  attempt(() => {
+    if (why.name === 'SecurityError' || !program.ccall('page_not_saved', 'number', ['string', 'string'], [path, refused ? '' : why.message]))
+      download(path);
+    soon();
+  });
+}
+
+async function choose_files() {
+  if (!picks) return chooser.click();
+  try {
+    const all = await showOpenFilePicker({ multiple: true });
+    await take(await Promise.all(all.map(async (own) => ({ name: own.name, file: await own.getFile().catch(unreadable), own }))));
+  } catch (why) {
+    if (why.name === 'SecurityError') chooser.click();
+    else if (why.name !== 'AbortError') fail(why);
   }
 }
 
 // The files of what was dropped, folders with all that they hold.
-async function dropped(entry, folder = '') {
-  if (entry instanceof File) return [{ name: entry.name, file: entry }];
+async function dropped(entry, own, folder = '') {
+  if (entry instanceof File) return [{ name: entry.name, file: entry, own: await own }];
   const asked = (what) => new Promise(what).catch(unreadable);
-  if (entry.isFile) return [{ name: folder + entry.name, file: await asked((...calls) => entry.file(...calls)) }];
+  if (entry.isFile) return [{ name: folder + entry.name, file: await asked((...calls) => entry.file(...calls)), own: await own }];
   const reader = entry.createReader(), within = [];
   for (let some; (some = await asked((...calls) => reader.readEntries(...calls)))?.length > 0;) within.push(...some);
-  return (await Promise.all(within.map((each) => dropped(each, folder + entry.name + '/')))).flat();
+  return (await Promise.all(within.map((each) => dropped(each, null, folder + entry.name + '/')))).flat();
 }
 
 chooser.addEventListener('change', () => {
@@ -290,9 +341,9 @@ chooser.addEventListener('change', () => {
 window.addEventListener('dragover', (event) => event.preventDefault());
 window.addEventListener('drop', (event) => {
   event.preventDefault();
-  const entries = [...event.dataTransfer.items].map((item) => item.webkitGetAsEntry() ?? item.getAsFile())
-    .filter((entry) => entry);
-  if (running) Promise.all(entries.map((entry) => dropped(entry))).then((files) => take(files.flat())).catch(fail);
+  const entries = [...event.dataTransfer.items].map((item) =>
+    [item.webkitGetAsEntry() ?? item.getAsFile(), item.getAsFileSystemHandle?.().catch(unreadable)]).filter(([entry]) => entry);
+  if (running) Promise.all(entries.map(([entry, own]) => dropped(entry, own))).then((files) => take(files.flat())).catch(fail);
 });
 
 // --- Turns: one a frame while there is something to do, none while there is not ----------------------------------------
@@ -317,7 +368,7 @@ function turn() {
     if (wait > 0) timer = setTimeout(soon, 1000 * wait);
     if (wait === 0 && performance.now() - looked < look_every) return;
     keep();
-    download();
+    give();
     looked = performance.now();
   } catch (why) {
     fail(why);
@@ -335,7 +386,8 @@ function leave() {
   keep();
 }
 window.addEventListener('pagehide', leave);
-window.addEventListener('beforeunload', (event) => running && !database && told().unsaved && event.preventDefault());
+window.addEventListener('beforeunload', (event) => running && (writes > 0 || (!database && told().unsaved)) &&
+  event.preventDefault());
 document.addEventListener('visibilitychange', () => document.hidden && leave());
 
 // What GLFW's JavaScript leaves out: a drag goes on outside of the page.
@@ -554,7 +606,7 @@ async function start() {
     arguments: options,
     fail,
     copy,
-    chooseFiles: () => chooser.click(),
+    chooseFiles: choose_files,
     onAbort: fail,
     preRun: [(module) => {
       program = module;

@@ -273,6 +273,18 @@ void action::SaveAs::apply(State& state) const {
   if (is_own || !asks_to_overwrite(state, whole, write_to, true)) write_to(state, whole);
 }
 
+void action::NotSaved::apply(State& state) const {
+  DocumentRoom& document = state.document;
+  if (path.empty() || document.path != path) return;
+  if (!document.dirty) document.saved = Scene{};  // nobody knows what the file holds
+  document.dirty = true;
+  document.autosaved_revision = 0;
+  const Language language = state.appearance.language;
+  const std::string file = std::filesystem::path(path).filename().string();
+  complain(state, why.empty() ? fill("notice.save_refused", language, {{"file", file}})
+                              : fill("notice.not_saved", language, {{"file", file}, {"why", why}}));
+}
+
 void action::AnswerQuestion::apply(State& state) const {
   if (!state.document.question) return;
   const Question question = *state.document.question;

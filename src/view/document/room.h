@@ -228,6 +228,12 @@ struct SaveAs {
   static constexpr Traits traits{.answers_prompt = true, .of_own_scene = true};
   void apply(State& state) const;
 };
+/// What was saved did not reach the user's file after all, as a browser finds out later: it is unsaved work again.
+struct NotSaved {
+  std::string path, why;  ///< an empty reason: it was refused
+  static constexpr Traits traits{.keeps_drag = true, .always = true};
+  void apply(State& state) const;
+};
 /// What to start with: the gallery.
 struct AskNew {
   static constexpr std::string_view word = "ask-new";
@@ -269,8 +275,8 @@ struct DocumentRoom {
       Types<action::AddObject, action::RemoveSelected, action::InsertCorner, action::RemoveCorner, action::Rename,
             action::SetMaterial, action::SetShape, action::SetLight, action::SetCamera, action::SetLimits,
             action::SetNumerics, action::SetLightWays, action::SetSurroundings, action::Undo, action::Redo, action::New,
-            action::Open, action::Save, action::SaveAs, action::AskNew, action::AskOpen, action::AskSaveAs,
-            action::CancelPrompt, action::AnswerQuestion, action::Quit>;
+            action::Open, action::Save, action::SaveAs, action::NotSaved, action::AskNew, action::AskOpen,
+            action::AskSaveAs, action::CancelPrompt, action::AnswerQuestion, action::Quit>;
   static Commands commands();
 
   SceneDocument contents;
