@@ -166,6 +166,8 @@ expect "as its preset says" called '^cmake --preset web$'
 go web --out "$here/elsewhere/site"
 expect "or written where one wants it" [ "$(cat "$here/elsewhere/site/raywalk.html")" = page ]
 expect "and not served" never_called '^node'
+go web --no-simd
+expect "or without vectors" called '^cmake --preset web-no-simd$'
 go web --out
 expect "a folder has to be named" status_is 1
 go web elsewhere

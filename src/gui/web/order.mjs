@@ -1,4 +1,4 @@
-// order.mjs WASM OPTIMISER: puts functions beside each other that are alike, and drops their names. Half of the code is one
+// order.mjs WASM OPTIMISER [no-simd]: puts functions beside each other that are alike, and drops their names. Half of the code is one
 // template or another, compiled for float and double, for this effect and that. What packs the file sees all of it, but says
 // in fewer bits what was there a moment ago: a seventieth less than in the order in which they were linked.
 //
@@ -6,7 +6,7 @@
 import { execFileSync } from 'node:child_process';
 import { readFileSync, writeFileSync } from 'node:fs';
 
-const [file, optimiser] = process.argv.slice(2);
+const [file, optimiser, without] = process.argv.slice(2);
 const bytes = readFileSync(file);
 
 let at = 8;
@@ -64,7 +64,8 @@ const section = (kind, ...parts) => {
 const string = (letters) => Buffer.concat([written(letters.length), letters]);
 const entries = [...places].sort(([a], [b]) => a - b).map(([index, place]) => Buffer.concat([written(index), string(place)]));
 writeFileSync(file, Buffer.concat([...kept, section(0, string(Buffer.from('name')), section(1, written(places.size), ...entries))]));
-const features = ['exception-handling', 'simd', 'bulk-memory', 'sign-ext', 'mutable-globals', 'nontrapping-float-to-int',
+// An instruction of a feature that is not among these is an error.
+const features = ['exception-handling', ...without ? [] : ['simd'], 'bulk-memory', 'sign-ext', 'mutable-globals', 'nontrapping-float-to-int',
   'multivalue', 'reference-types'].map((name) => '--enable-' + name);
 // What the compiler's own run of it has made smaller, two more make smaller still. Nothing lies below the first 1024 bytes.
 execFileSync(optimiser, [file, ...features, '--reorder-functions-by-name', '--low-memory-unused', '-Oz',

@@ -1,4 +1,4 @@
-// pack.mjs BUILD SITE: makes the static site of what the compiler made in BUILD, and raywalk.html, which holds all of it
+// pack.mjs BUILD SITE [no-simd]: makes the static site of what the compiler made in BUILD, and raywalk.html, which holds all of it
 // in one file.
 //
 // What belongs together stands in a folder of the site that is named after all of its bytes, so that a page never mixes
@@ -11,7 +11,7 @@ import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { streamed } from './streams.mjs';
 
-const [build, site] = process.argv.slice(2);
+const [build, site, without] = process.argv.slice(2);
 const here = dirname(fileURLToPath(import.meta.url));
 const texts = join(here, '../../text');
 const tool = createRequire(join(build, '../emscripten/root/usr/share/emscripten/tools/'));
@@ -78,7 +78,7 @@ packed.writeBigUInt64LE(BigInt(sorted.length), 5);
 unpacks(readFileSync(join(build, 'unpack.wasm')));
 const letters = packed.toString('base64');
 const unpacker = readFileSync(join(build, 'unpack.wasm'), 'base64');
-const source = (name) => readFileSync(join(here, name), 'utf8').replace(/^'use strict';$/m, '');
+const source = (name) => readFileSync(join(here, name), 'utf8').replace(/^'use strict';$/m, '').replace("'WITHOUT'", () => `'${without}'`);
 const whole_page = () => shortened(["'use strict';", ...joined.map(source)].join('\n'), true);
 const script = (name) => name === 'raywalk.js' ? read(build, name) : name === 'page.js' ? whole_page() :
   read(here, name).replace('"UNPACKER"', () => JSON.stringify(unpacker));

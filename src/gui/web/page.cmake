@@ -118,9 +118,13 @@ target_link_options(raywalk PRIVATE
   -sINCOMING_MODULE_JS_API=canvas,arguments,preRun,noInitialRun,instantiateWasm,onAbort
   -sGL_ENABLE_GET_PROC_ADDRESS=0 -sGL_SUPPORT_AUTOMATIC_ENABLE_EXTENSIONS=0 -sGL_SUPPORT_SIMPLE_ENABLE_EXTENSIONS=0
   --profiling-funcs) # order.mjs wants to see the names, and drops them
+set(without)
+if(NOT CMAKE_CXX_FLAGS MATCHES "-msimd128")
+  set(without no-simd)
+endif()
 find_program(RAYWALK_NODE node REQUIRED)
 add_custom_command(TARGET raywalk POST_BUILD COMMAND "${RAYWALK_NODE}" "${page}/order.mjs" "${CMAKE_BINARY_DIR}/raywalk.wasm"
-  "${CMAKE_SOURCE_DIR}/build/emscripten/binaryen/bin/wasm-opt" VERBATIM)
+  "${CMAKE_SOURCE_DIR}/build/emscripten/binaryen/bin/wasm-opt" ${without} VERBATIM)
 set_property(TARGET raywalk APPEND PROPERTY LINK_DEPENDS "${page}/order.mjs")
 
 # A module of its own (unpack.cpp), without imports: it takes the memory that it needs itself.
@@ -138,7 +142,7 @@ target_link_options(unpack PRIVATE -Oz -sSTANDALONE_WASM --no-entry -sSTACK_SIZE
 file(GLOB page_parts CONFIGURE_DEPENDS "${page}/*.html" "${page}/*.css" "${page}/*.js" "${page}/*.svg" "${page}/*.webmanifest")
 add_custom_command(
   OUTPUT "${CMAKE_BINARY_DIR}/site/raywalk.html"
-  COMMAND "${RAYWALK_NODE}" "${page}/pack.mjs" "${CMAKE_BINARY_DIR}" "${CMAKE_BINARY_DIR}/site"
+  COMMAND "${RAYWALK_NODE}" "${page}/pack.mjs" "${CMAKE_BINARY_DIR}" "${CMAKE_BINARY_DIR}/site" ${without}
   DEPENDS raywalk unpack "${page}/pack.mjs" "${page}/streams.mjs" ${page_parts} ${texts}
   VERBATIM)
 add_custom_target(site ALL DEPENDS "${CMAKE_BINARY_DIR}/site/raywalk.html")

@@ -557,7 +557,9 @@ const embedding = asked.has('embed') ? new Embedding(asked.get('embed'), {
 
 // --- Start -----------------------------------------------------------------------------------------------------------
 
-// A module of one function that makes a vector: what does not know SIMD refuses it.
+// A module of one function that makes a vector: what does not know SIMD refuses it. pack.mjs says what the program does
+// without.
+const needs_simd = 'WITHOUT' !== 'no-simd';
 const with_simd = new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0,
   253, 15, 253, 98, 11]);
 
@@ -582,7 +584,7 @@ async function compiled() {
 async function start() {
   say('loading');
   if (!document.createElement('canvas').getContext('webgl2')) return say('no_webgl');
-  if (!WebAssembly.validate(with_simd)) return say('no_simd');
+  if (needs_simd && !WebAssembly.validate(with_simd)) return say('no_simd');
   const [files, code] = await Promise.all([recall(), compiled()]);
   const options = ['scene', 'language'].flatMap((name) => asked.has(name) ? [name, asked.get(name)] : []);
   // Beside the folders, not in them: what stands there is kept, or downloaded.

@@ -80,9 +80,6 @@ unpack_emscripten() {
 
 # --- Libraries -------------------------------------------------------------------------------------------------------
 
-# Small rather than fast: pictures and glyphs are read once. Like all of the page, they throw by WebAssembly's own means.
-# What they warn of is their authors' business.
-flags="-w -Oz -DNDEBUG -msimd128 -fwasm-exceptions -sSUPPORT_LONGJMP=wasm"
 prefix=$libraries/prefix
 
 # by_cmake NAME TARGET ARGS...: configures it and builds this target, which may be `install`.
@@ -110,6 +107,9 @@ by_hand() {
 }
 
 build_libraries() {
+  # Small rather than fast: pictures and glyphs are read once. Like all of the page, they throw by WebAssembly's own means;
+  # they do without its vectors, for a page that does. What they warn of is their authors' business.
+  local flags="-w -Oz -DNDEBUG -fwasm-exceptions -sSUPPORT_LONGJMP=wasm"
   say "building the page's libraries (once)"
   open_apt
   mkdir -p "$libraries"/{packages,sources,work} "$prefix"/{include,lib}
