@@ -9,6 +9,7 @@ import { copyFileSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSy
 import { createRequire } from 'node:module';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { pruned } from './prune.mjs';
 import { streamed } from './streams.mjs';
 
 const [build, site, without] = process.argv.slice(2);
@@ -80,7 +81,10 @@ const letters = packed.toString('base64');
 const unpacker = readFileSync(join(build, 'unpack.wasm'), 'base64');
 const source = (name) => readFileSync(join(here, name), 'utf8').replace(/^'use strict';$/m, '').replace("'WITHOUT'", () => `'${without}'`);
 const whole_page = () => shortened(["'use strict';", ...joined.map(source)].join('\n'), true);
-const script = (name) => name === 'raywalk.js' ? read(build, name) : name === 'page.js' ? whole_page() :
+// What the page, its workers and tests ask for of Emscripten's script.
+const asked = new Set([...joined, 'worker.js'].flatMap((name) => source(name).match(/\w+/g)).concat('analyzePath'));
+const program = () => shortened(pruned(readFileSync(join(build, 'raywalk.js'), 'utf8'), acorn, asked));
+const script = (name) => name === 'raywalk.js' ? program() : name === 'page.js' ? whole_page() :
   read(here, name).replace('"UNPACKER"', () => JSON.stringify(unpacker));
 
 rmSync(site, { recursive: true, force: true });

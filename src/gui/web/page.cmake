@@ -143,6 +143,6 @@ file(GLOB page_parts CONFIGURE_DEPENDS "${page}/*.html" "${page}/*.css" "${page}
 add_custom_command(
   OUTPUT "${CMAKE_BINARY_DIR}/site/raywalk.html"
   COMMAND "${RAYWALK_NODE}" "${page}/pack.mjs" "${CMAKE_BINARY_DIR}" "${CMAKE_BINARY_DIR}/site" ${without}
-  DEPENDS raywalk unpack "${page}/pack.mjs" "${page}/streams.mjs" ${page_parts} ${texts}
+  DEPENDS raywalk unpack "${page}/pack.mjs" "${page}/prune.mjs" "${page}/streams.mjs" ${page_parts} ${texts}
   VERBATIM)
 add_custom_target(site ALL DEPENDS "${CMAKE_BINARY_DIR}/site/raywalk.html")

@@ -165,6 +165,10 @@ build_libraries() {
   # no library.
   sed -i '/^static const char proggy_clean_ttf_compressed_data_base85/,/;$/c static const char proggy_clean_ttf_compressed_data_base85[] = "";' \
     "$from"/imgui/imgui_draw.cpp
+  # Its table of checksums is made when it is first used, too.
+  sed -i -e '/^static const ImU32 GCrc32LookupTable\[256\] =/,/^};/d' -e 's/= GCrc32LookupTable;/= checksums();/' \
+    -e '/^ImGuiID ImHashData(/i static const ImU32* checksums() {\n  static const struct Table {\n    ImU32 of[256];\n    Table() {\n      for (ImU32 i = 0; i < 256; ++i) {\n        of[i] = i;\n        for (int k = 0; k < 8; ++k) of[i] = (of[i] \& 1) ? (of[i] >> 1) ^ 0xEDB88320u : of[i] >> 1;\n      }\n    }\n  } table;\n  return table.of;\n}' \
+    "$from"/imgui/imgui.cpp
   by_hand imgui imgui -std=c++17 "-I$prefix/include/freetype2" "-I$from/imgui/backends" -DIMGUI_ENABLE_FREETYPE \
     -DIMGUI_IMPL_OPENGL_ES3 -DIMGUI_DISABLE_DEMO_WINDOWS -- imgui.cpp imgui_draw.cpp imgui_tables.cpp imgui_widgets.cpp \
     backends/imgui_impl_glfw.cpp backends/imgui_impl_opengl3.cpp misc/freetype/imgui_freetype.cpp
