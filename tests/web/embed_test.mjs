@@ -91,7 +91,10 @@ test('what a lesson asks and how it ends is told', async () => {
   const ready = await visit.hears('ready');
   assert.deepEqual([ready.lesson, ready.lesson_step], ['01-ray-casting', 1]);
   const frame = (await visit.page.$('#frame')).contentFrame();
-  const act = async (line) => (await frame).evaluate((line) => window.raywalk.ccall('page_act', null, ['string'], [line]), line);
+  const act = async (line) => (await frame).evaluate((line) => {
+    window.raywalk.ccall('page_act', null, ['string'], [line]);
+    window.dispatchEvent(new Event('focus')); // a page at rest has no turn, and tells of nothing
+  }, line);
   await act('lesson-options unlocked');
   for (let step = 1; step <= ready.lesson_steps; ++step) {
     await act('guess-choice 0');
