@@ -4,6 +4,7 @@
 
 #include "trace/beams.h"
 #include "trace/part_steps.h"
+#include "trace/plan_marks.h"
 #include "trace/shadow_transmittance.h"
 #include "trace/spawn_ray.h"
 
@@ -12,64 +13,110 @@
 
 namespace raywalk {
 
-/// Where an edge of a shadow crosses what a part sees, it is two. Shadows on what is round are not looked for.
+/// Where an edge of a shadow, the rim of a spot light or a line of a checker crosses what is seen, it is two parts.
 template <class Watcher>
-void BeamTracer<Watcher>::divide_by_shadows(std::vector<BeamPart>& pieces, const Beam& beam, const BeamPart& whole) {
+void BeamTracer<Watcher>::divide(std::vector<Part>& pieces, const Beam& beam, const BeamPart& seen) {
+  Part rest;
+  static_cast<BeamPart&>(rest) = seen;
   std::vector<Place> edges;
-  if (shows_shadows(whole.outline))
-    for (const Light& light : world_.lights) {
-      if (detail::has_extent(world_, light)) continue;  // a penumbra has no edge
-      for (const Place& edge : beam.plan->shadow_edges(beam.fan, whole, {plan(light.place), light.is_distant}, stop_))
-        edges.push_back(edge);
-    }
+  if (seen.outline >= 0) {
+    edges = edges_of_light(beam, seen);
+    const std::optional<std::vector<Place>> squares = edges_of_squares(beam, seen);
+    rest.has_mean = !squares;
+    if (squares) edges.insert(edges.end(), squares->begin(), squares->end());
+  }
   std::sort(edges.begin(), edges.end());
-  edges.push_back(whole.end);
+  edges.push_back(seen.end);
   std::vector<Rgbd> before;
-  BeamPart rest = whole;
   for (const Place& edge : edges) {
     if (!(edge - rest.begin > 0)) continue;
-    BeamPart piece = rest;
+    Part piece = rest;
     piece.end = edge;
     rest.begin = edge;
-    std::vector<Rgbd> light = edges.size() > 1 ? light_at(beam, piece) : std::vector<Rgbd>();
-    // The same light as beside it: no edge of a shadow after all.
-    if (piece.begin == whole.begin || light != before)
+    std::vector<Rgbd> look = edges.size() > 1 ? look_of(beam, piece) : std::vector<Rgbd>();
+    // The same as beside it: no edge after all.
+    if (piece.begin == seen.begin || look != before)
       pieces.push_back(piece);
     else
       pieces.back().end = piece.end;
-    before = std::move(light);
+    before = std::move(look);
   }
 }
 
 template <class Watcher>
-bool BeamTracer<Watcher>::shows_shadows(int outline) const {
-  if (outline < 0 || !outlines_[static_cast<std::size_t>(outline)].is_straight()) return false;
+bool BeamTracer<Watcher>::is_lit(int outline) const {
   const int object = outlines_[static_cast<std::size_t>(outline)].object;
   const auto& surface = world_.surface(primitives_[static_cast<std::size_t>(object)]);
-  return world_.occludes && world_.effects.used(Effect::shadows) &&
-         !(is_black(surface.diffuse) && is_black(surface.specular));
+  return world_.effects.used(Effect::shadows) && !(is_black(surface.diffuse) && is_black(surface.specular));
 }
 
-/// What of each light without an extent arrives in the middle of a piece.
 template <class Watcher>
-std::vector<Rgbd> BeamTracer<Watcher>::light_at(const Beam& beam, const BeamPart& piece) {
-  Part part;
-  static_cast<BeamPart&>(part) = piece;
+std::vector<Place> BeamTracer<Watcher>::edges_of_light(const Beam& beam, const BeamPart& part) const {
+  std::vector<Place> edges;
+  if (!is_lit(part.outline)) return edges;
+  const Outline& outline = outlines_[static_cast<std::size_t>(part.outline)];
+  const auto add = [&](const std::vector<Place>& more) { edges.insert(edges.end(), more.begin(), more.end()); };
+  for (const Light& light : world_.lights) {
+    if (detail::has_extent(world_, light)) continue;  // a penumbra has no edge
+    if (const auto* spot = std::get_if<SpotLight::Prepared<double>>(&light.kind))
+      add(beam.plan->places_of(beam.fan, part, spot_rims(outline, plan(light.place), *spot)));
+    if (!world_.occludes) continue;
+    const PlanLight in_plan{plan(light.place), light.is_distant};
+    if (const auto* circle = std::get_if<OutlineCircle>(&outline.shape))
+      add(beam.plan->places_of(beam.fan, part, shadows_on_circle(*circle, outlines_, in_plan)));
+    else
+      add(beam.plan->shadow_edges(beam.fan, part, in_plan, stop_));
+  }
+  return edges;
+}
+
+/// None where the squares are too many to be cut.
+template <class Watcher>
+std::optional<std::vector<Place>> BeamTracer<Watcher>::edges_of_squares(const Beam& beam, const BeamPart& part) const {
+  const Outline& outline = outlines_[static_cast<std::size_t>(part.outline)];
+  const int primitive = primitives_[static_cast<std::size_t>(outline.object)];
+  const auto& surface = world_.surface(primitive);
+  std::vector<Place> none;
+  if (!surface.checker || world_.maps(surface)) return none;
+  OutlineStretch stretch;
+  for (const Vec3d& at : area_of(beam, part).ends) stretch.push_back(plan(at));
+  const auto uv = [&](const Vec2d& at) {
+    Vec3d normal(0.0);
+    if (const auto* wall = std::get_if<OutlineWall>(&outline.shape)) normal = normalize(detail::in_plan(wall->normal));
+    return world_.accelerator.primitives().uv_at(primitive, SurfacePoint<double>{detail::in_plan(at), normal},
+                                                 outline.part, camera_.shutter_open());
+  };
+  const auto lines = checker_lines(outline, stretch, surface.checker->size, most_squares, uv);
+  if (!lines) return surface.texture ? std::optional(none) : std::nullopt;
+  return beam.plan->places_of(beam.fan, part, *lines);
+}
+
+/// What the middle of a piece has of its checker, and of each light without an extent: whether it arrives, and whether
+/// in full.
+template <class Watcher>
+std::vector<Rgbd> BeamTracer<Watcher>::look_of(const Beam& beam, const Part& piece) {
+  Part part = piece;
+  const Statistics counted = statistics_;
   meet(part, beam, part.middle());
+  statistics_ = counted;
   const SurfaceVertex<double>& at = *part.at;
-  std::vector<Rgbd> arriving;
+  std::vector<Rgbd> look{at.bsdf.diffuse, part.ambient};
   TestCounts uncounted;
   for (const Light& light : world_.lights) {
     if (detail::has_extent(world_, light)) continue;
     const Vec3d to_light = light.direction_to(light.place, at.position);
     const auto ray =
         spawn_ray<Ray<double>>(world_, at.position, at.bsdf.geometric_normal, at.departure, to_light, at.time);
-    const bool faces = dot(at.bsdf.shading_normal, to_light) > 0;
-    arriving.push_back(faces ? shadow_transmittance(world_, ray, light.t_far(), uncounted, filters_met_, {}, at.medium)
-                                   .value_or(Rgbd(0.0))
-                             : Rgbd(0.0));
+    const bool faces = dot(at.bsdf.shading_normal, to_light) > 0 || at.surface->lit_from_behind;
+    const bool arrives = faces && light.shines_along(to_light);
+    const bool in_full = arrives && !(light.falloff(normalize(to_light)) < 1);
+    look.emplace_back(in_full);
+    look.push_back(arrives && world_.occludes
+                       ? shadow_transmittance(world_, ray, light.t_far(), uncounted, filters_met_, {}, at.medium)
+                             .value_or(Rgbd(0.0))
+                       : Rgbd(arrives));
   }
-  return arriving;
+  return look;
 }
 
 template <class Watcher>
@@ -100,6 +147,29 @@ auto BeamTracer<Watcher>::form_shadow_ray(int depth, const Part& part, const Bea
     return formed;
   });
   return shadow;
+}
+
+/// What a ray of a part finds, but for mirrored beams.
+template <class Watcher>
+Rgbd BeamTracer<Watcher>::shade_beside(int depth, const Part& beside) {
+  if (!beside.at) return detail::shade_of_middle(world_, beside, Rgbd(0.0)).total;
+  const SurfaceVertex<double>& at = *beside.at;
+  Rgbd direct{0.0};
+  for (const Light& light : detail::lights_on(world_, beside)) {
+    const auto [to_light, fan, share] = seen_of(light, at);
+    if (!(dot(at.bsdf.shading_normal, to_light) > 0 || at.surface->lit_from_behind)) continue;
+    if (!light.shines_along(to_light)) continue;
+    const Shadow shadow{
+        spawn_ray<Ray<double>>(world_, at.position, at.bsdf.geometric_normal, at.departure, to_light, at.time), 0,
+        at.medium, fan, share};
+    const Rgbd visible = light_through(beside, shadow, light).transmittance;
+    if (is_black(visible)) continue;
+    const auto brought = detail::light_on(at, beside.ray, light, to_light, visible);
+    direct += brought.diffuse + brought.specular;
+  }
+  const Rgbd followed =
+      detail::brought_by_rays(world_, tracer_, depth, at, [&](RayKind kind) { return sends(beside, kind); });
+  return at.throughput * (detail::shade_of_middle(world_, beside, direct).total + followed);
 }
 
 /// Where a surface's plane crosses a light with an extent, the light ends there.
@@ -172,29 +242,34 @@ Found BeamTracer<Watcher>::find_uncovered(const Part& part, const Shadow& shadow
   return found;
 }
 
+/// How much of a light arrives, and of one that is wide, what covers it.
+template <class Watcher>
+Found BeamTracer<Watcher>::light_through(const Part& part, const Shadow& shadow, const Light& light) {
+  if (shadow.fan && world_.occludes) return find_uncovered(part, shadow, light);
+  const std::optional<Rgbd> transmittance =
+      world_.occludes
+          ? shadow_transmittance(world_, shadow.ray, light.t_far(), statistics_.tests, filters_met_, {}, shadow.medium)
+          : std::optional(Rgbd(shadow.share));
+  Found found{shadow.number, transmittance ? Ending::reached_light : Ending::blocked};
+  found.transmittance = transmittance.value_or(Rgbd(0.0));
+  return found;
+}
+
 /// As the tracer's; of a light with an extent, how much is uncovered.
 template <class Watcher>
 Rgbd BeamTracer<Watcher>::find_intersection(int depth, const Part& part, const Shadow& shadow, const Light& light) {
-  if (shadow.fan && world_.occludes) {
-    const Found found = find_uncovered(part, shadow, light);
-    ++statistics_.ends(found.ending);
-    note(Line::beam_find_intersection, depth, [&] { return found; });
-    return found.transmittance;
-  }
-  const double t_max = light.t_far();
-  const std::optional<Rgbd> transmittance =
-      world_.occludes
-          ? shadow_transmittance(world_, shadow.ray, t_max, statistics_.tests, filters_met_, {}, shadow.medium)
-          : std::optional(Rgbd(shadow.share));
-  ++statistics_.ends(transmittance ? Ending::reached_light : Ending::blocked);
+  const Found through = light_through(part, shadow, light);
+  ++statistics_.ends(through.ending);
   note(Line::beam_find_intersection, depth, [&] {
-    const auto blocker = transmittance ? std::nullopt : first_blocker(world_, shadow.ray, t_max);
-    Found found = blocker ? detail::describe(shadow.number, Ending::blocked, world_, shadow.ray, *blocker)
-                          : Found{shadow.number, Ending::reached_light};
-    found.transmittance = transmittance.value_or(Rgbd(0.0));
+    if (shadow.fan && world_.occludes) return through;
+    const auto blocker =
+        through.ending == Ending::blocked ? first_blocker(world_, shadow.ray, light.t_far()) : std::nullopt;
+    Found found =
+        blocker ? detail::describe(shadow.number, Ending::blocked, world_, shadow.ray, *blocker) : Found(through);
+    found.transmittance = through.transmittance;
     return found;
   });
-  return transmittance.value_or(Rgbd(0.0));
+  return through.transmittance;
 }
 
 template <class Watcher>

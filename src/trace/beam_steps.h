@@ -17,6 +17,20 @@ namespace detail {
 /// Farther from the eye than everything that has an end.
 [[nodiscard]] double far_from(const Vec2d& eye, const std::vector<Outline>& outlines);
 
+/// In the place of a checker: the mean of its squares, if `all`.
+struct MeanOfSquares {
+  const World<double>& world;
+  bool all;
+
+  [[nodiscard]] bool filters(const World<double>::Surface& /*surface*/) const { return all; }
+  void arrive(const Vec3d& /*direction*/, const Hit<double>& /*hit*/, const SurfacePoint<double>& /*point*/,
+              double /*time*/, const Vec3d& /*shading_normal*/) {}
+  [[nodiscard]] Rgbd pattern(const Hit<double>& hit, const SurfacePoint<double>& /*point*/, double /*time*/) const {
+    const auto& checker = *world.surface(hit.primitive).checker;
+    return (checker.even + checker.odd) / 2.0;
+  }
+};
+
 }  // namespace detail
 
 template <class Watcher>
@@ -56,18 +70,13 @@ auto BeamTracer<Watcher>::form_beam(const Pixel& pixel) -> Beam {
 template <class Watcher>
 auto BeamTracer<Watcher>::cut(Line line, int depth, const Beam& beam) -> std::vector<Part> {
   stop_.check();
-  std::vector<BeamPart> pieces;
-  for (const BeamPart& whole : beam.plan->cut(beam.fan, beam.begin, beam.end, stop_))
-    divide_by_shadows(pieces, beam, whole);
   std::vector<Part> parts;
-  for (const BeamPart& piece : pieces) {
-    Part part;
-    static_cast<BeamPart&>(part) = piece;
+  for (const BeamPart& seen : beam.plan->cut(beam.fan, beam.begin, beam.end, stop_)) divide(parts, beam, seen);
+  for (Part& part : parts) {
     part.number = rays_formed_++;
     meet(part, beam, part.middle());
     ++statistics_.formed(RayKind::beam);
     ++statistics_.ends(part.at ? Ending::hit : Ending::missed);
-    parts.push_back(std::move(part));
   }
   note(line, depth, [&] {
     BeamCut cut{beam.number, {}};
@@ -96,12 +105,15 @@ void BeamTracer<Watcher>::meet(Part& part, const Beam& beam, const Place& place)
   const Hit<double> hit{length(end - part.ray.origin), primitives_[static_cast<std::size_t>(part.object)],
                         outlines_[index].part};
   const detail::MiddleOfPart<double> middle{part.ray, part.number, beam.medium};
-  NoDifferential<double> none;
-  part.at = prepare_vertex<AllEffects>(world_, nested_, middle, hit, statistics_, none);
+  detail::MeanOfSquares mean{world_, part.has_mean};
+  part.at = prepare_vertex<AllEffects>(world_, nested_, middle, hit, statistics_, mean);
   part.ambient = part.at->values().ambient;
   if (part.at->mapped) return;
-  texture(part.ambient, *part.at->surface, world_.accelerator.primitives(), hit.primitive,
-          SurfacePoint<double>{part.at->position, part.at->outward_normal}, hit.part, part.ray.time);
+  if (part.has_mean)
+    part.ambient *= mean.pattern(hit, {}, part.ray.time);
+  else
+    texture(part.ambient, *part.at->surface, world_.accelerator.primitives(), hit.primitive,
+            SurfacePoint<double>{part.at->position, part.at->outward_normal}, hit.part, part.ray.time);
 }
 
 template <class Watcher>
@@ -235,18 +247,17 @@ Rgbd BeamTracer<Watcher>::follow_middle_ray(int depth, const MiddleRay& ray) {
   return tracer_.radiance_along(ray.ray, depth + 1, ray.medium);
 }
 
-/// Of rays a sixteenth of a part's width from its ends, beside that in its middle, which brought `followed`.
+/// Of rays a sixteenth of a part's width from its ends, beside that in its middle, which brought `own`: by all but
+/// mirrored beams, which say so of themselves.
 template <class Watcher>
-double BeamTracer<Watcher>::off_near_ends(int depth, const Beam& beam, const Part& part, const Rgbd& followed) {
-  if (!sends(part, RayKind::reflect) && !sends(part, RayKind::refract)) return 0;
+double BeamTracer<Watcher>::off_near_ends(int depth, const Beam& beam, const Part& part, const Rgbd& own) {
   const Statistics counted = statistics_;
   double off = 0;
   for (const double share : {1.0 / 16, 15.0 / 16}) {
     Part beside = part;
+    beside.has_mean = false;
     meet(beside, beam, {part.begin.value() + share * part.width(), 0});
-    const Rgbd brought =
-        detail::brought_by_rays(world_, tracer_, depth, *beside.at, [&](RayKind kind) { return sends(beside, kind); });
-    const Rgbd more = brought - followed;
+    const Rgbd more = shade_beside(depth, beside) - own;
     off = std::max({off, std::abs(more.x), std::abs(more.y), std::abs(more.z)});
   }
   statistics_ = counted;
@@ -259,18 +270,18 @@ void BeamTracer<Watcher>::add_part(Rgbd& mean, int depth, const Beam& beam, cons
                                    const Rgbd& reflected, const Rgbd& refracted) {
   const Rgbd left = part.at ? part.at->throughput : Rgbd(1.0);
   const Rgbd shade = left * (local + reflected + refracted);
+  const bool by_beam = part.at && is_straight(part);
   mean += (shade - mean) * (part.width() / (part.end - beam.begin));
   note(Line::add_part, depth, [&] {
-    return PartAdded{
-        part.number,
-        local,
-        reflected,
-        refracted,
-        shade,
-        part.width() / (beam.end - beam.begin),
-        mean,
-        part.end == beam.end,
-        off_near_ends(depth, beam, part, refracted + (part.at && !is_straight(part) ? reflected : Rgbd(0.0)))};
+    return PartAdded{part.number,
+                     local,
+                     reflected,
+                     refracted,
+                     shade,
+                     part.width() / (beam.end - beam.begin),
+                     mean,
+                     part.end == beam.end,
+                     off_near_ends(depth, beam, part, left * (local + refracted + (by_beam ? Rgbd(0.0) : reflected)))};
   });
 }
 

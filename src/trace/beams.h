@@ -5,10 +5,11 @@
 // and `shade_parts` read like trace/pseudocode.h, and a test holds them together; what a statement does stands in
 // trace/beam_steps.h.
 //
-// A part is shaded by one ray, in its middle: along it the shade is taken as constant, which is exact where it is. To a
-// light with an extent all rays go from there at once, and its width is cut as a pixel's is. A flat mirror reflects a
-// beam as a beam. Neither a curved mirror nor glass does, but in approximation: of these a single ray is followed, from
-// the middle, as trace/tracer.h does.
+// Lines of checkers and the rims of spot lights cut parts, too (trace/plan_marks.h). A part is shaded by one ray, in
+// its middle: along it the shade is taken as constant, which is exact where it is; by how much it is not, a walk says.
+// To a light with an extent all rays go from there at once, and its width is cut as a pixel's is. A flat mirror
+// reflects a beam as a beam. Neither a curved mirror nor glass does, but in approximation: of these a single ray is
+// followed, from the middle, as trace/tracer.h does.
 //
 // The world is flat: everything is endless along z, and what lies above or below the plan is not there.
 
@@ -79,7 +80,9 @@ class BeamTracer {
     int object = -1;
     std::optional<SurfaceVertex<double>> at{};  ///< what that ray meets
     Rgbd ambient{0.0};                          ///< of the surface
+    bool has_mean = false;                      ///< of its checker, whose squares are too many to be cut
   };
+  static constexpr double most_squares = 64;  ///< of a checker that a part is cut into
   /// A ray to a light; to one with an extent, all rays at once.
   struct Shadow {
     Ray<double> ray;
@@ -160,16 +163,20 @@ class BeamTracer {
   Beam form_beam(const Pixel& pixel);
   std::vector<Part> cut(Line line, int depth, const Beam& beam);
   void meet(Part& part, const Beam& beam, const Place& place);
-  void divide_by_shadows(std::vector<BeamPart>& pieces, const Beam& beam, const BeamPart& whole);
-  [[nodiscard]] bool shows_shadows(int outline) const;
-  [[nodiscard]] std::vector<Rgbd> light_at(const Beam& beam, const BeamPart& piece);
+  void divide(std::vector<Part>& pieces, const Beam& beam, const BeamPart& seen);
+  [[nodiscard]] bool is_lit(int outline) const;
+  [[nodiscard]] std::vector<Place> edges_of_light(const Beam& beam, const BeamPart& part) const;
+  [[nodiscard]] std::optional<std::vector<Place>> edges_of_squares(const Beam& beam, const BeamPart& part) const;
+  [[nodiscard]] std::vector<Rgbd> look_of(const Beam& beam, const Part& piece);
   [[nodiscard]] BeamArea area_of(const Beam& beam, const BeamPart& part) const;
   int call_shade_parts(Line line, int depth, const Beam& beam);
   void begin(int depth, const std::vector<Part>& parts, const Part& part);
   std::optional<Shadow> form_shadow_ray(int depth, const Part& part, const Beam& beam, const Light& light);
+  [[nodiscard]] Rgbd shade_beside(int depth, const Part& beside);
   Rgbd find_intersection(int depth, const Part& part, const Shadow& shadow, const Light& light);
   [[nodiscard]] LightSeen seen_of(const Light& light, const SurfaceVertex<double>& at) const;
   [[nodiscard]] std::optional<PixelFan> fan_to(const Light& light, const Vec3d& from) const;
+  [[nodiscard]] Found light_through(const Part& part, const Shadow& shadow, const Light& light);
   [[nodiscard]] Found find_uncovered(const Part& part, const Shadow& shadow, const Light& light);
   void add_unlit(DirectLighting& direct, const Light& light);
   void add_light(DirectLighting& direct, const Part& part, const Light& light, const Shadow& shadow,
@@ -182,7 +189,7 @@ class BeamTracer {
   [[nodiscard]] bool sends(const Part& part, RayKind kind) const;
   std::optional<MiddleRay> form_middle_ray(int depth, const Part& part, const Beam& beam, RayKind kind);
   Rgbd follow_middle_ray(int depth, const MiddleRay& ray);
-  [[nodiscard]] double off_near_ends(int depth, const Beam& beam, const Part& part, const Rgbd& followed);
+  [[nodiscard]] double off_near_ends(int depth, const Beam& beam, const Part& part, const Rgbd& own);
   void add_part(Rgbd& mean, int depth, const Beam& beam, const Part& part, const Rgbd& local, const Rgbd& reflected,
                 const Rgbd& refracted);
   template <class Put>

@@ -80,6 +80,18 @@ class Roots {
   std::vector<Place> places_;
 };
 
+/// Those of a part but for its ends, in order, each once.
+std::vector<Place> inside(const BeamPart& part, const std::vector<Place>& places) {
+  std::vector<Place> edges;
+  for (const Place& edge : places)
+    if (edge - part.begin > least_width && part.end - edge > least_width) edges.push_back(edge);
+  std::sort(edges.begin(), edges.end());
+  edges.erase(
+      std::unique(edges.begin(), edges.end(), [](const Place& a, const Place& b) { return !(b - a > least_width); }),
+      edges.end());
+  return edges;
+}
+
 }  // namespace
 
 Place middle(const Place& a, const Place& b) { return {(a.high + b.high) / 2, (a.low + b.low) / 2}; }
@@ -242,14 +254,18 @@ std::vector<Place> UnfoldedPlan::shadow_edges(const PixelFan& fan, const BeamPar
                       c1 * c1 - outline.square * dot(w1, w1));
     }
   }
-  std::vector<Place> edges;
-  for (const Place& edge : roots.places())
-    if (edge - part.begin > least_width && part.end - edge > least_width) edges.push_back(edge);
-  std::sort(edges.begin(), edges.end());
-  edges.erase(
-      std::unique(edges.begin(), edges.end(), [](const Place& a, const Place& b) { return !(b - a > least_width); }),
-      edges.end());
-  return edges;
+  return inside(part, roots.places());
+}
+
+std::vector<Place> UnfoldedPlan::places_of(const PixelFan& fan, const BeamPart& part,
+                                           const std::vector<Vec2d>& points) const {
+  Roots roots;
+  for (const Vec2d& point : points) {
+    Expansion scale;
+    const ExactPoint across = turned_left(unfolded(point, false, scale));
+    roots.linear(dot(across, exact(fan.begin)), dot(across, exact(fan.end)));
+  }
+  return inside(part, roots.places());
 }
 
 /// To the nearest point of an outline that lies beyond the eye, or beyond the last mirror.

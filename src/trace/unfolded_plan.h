@@ -83,6 +83,10 @@ class UnfoldedPlan {
   /// order. A superset: outlines that other outlines hide from the light are not left out, nor those behind.
   [[nodiscard]] std::vector<Place> shadow_edges(const PixelFan& fan, const BeamPart& part, const PlanLight& light,
                                                 const Stop& stop = {}) const;
+  /// Where the rays of a part pass points of its outline, or the point opposite; in order. Those of a part that are
+  /// behind the eye or on a circle's other side are not left out.
+  [[nodiscard]] std::vector<Place> places_of(const PixelFan& fan, const BeamPart& part,
+                                             const std::vector<Vec2d>& points) const;
 
   // Rounded, in the plan itself.
 

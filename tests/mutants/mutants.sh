@@ -227,6 +227,14 @@ mutant beams_shadows_of_one_corner beams trace/unfolded_plan.cpp 'corner(outline
 mutant beams_sun_at_a_place beams trace/unfolded_plan.cpp 'light.is_distant ? place : at - place' 'at - place'
 mutant beams_round_shadows_too_wide beams trace/unfolded_plan.cpp 'c0 * c0 - outline.square * dot(w0, w0)' 'c0 * c0 - 4.0 * outline.square * dot(w0, w0)'
 mutant beams_round_shadows_of_the_sun_too_wide beams trace/unfolded_plan.cpp 'square = outline.square * dot(place, place)' 'square = outline.square'
+mutant marks_squares_off_by_half marks trace/plan_marks.cpp 'line <= last; ++line) add(line * size);' 'line <= last; ++line) add((line + 0.5) * size);'
+mutant marks_one_axis_of_squares marks trace/plan_marks.cpp 'for (const int axis : {0, 1}) {' 'for (const int axis : {0}) {'
+mutant marks_seam_forgotten marks trace/plan_marks.cpp 'if (low < seam && seam < high) add(seam);' ''
+mutant marks_one_rim_of_two marks trace/plan_marks.cpp '{spot.cos_outer / level, spot.cos_inner / level}' '{spot.cos_outer / level}'
+mutant marks_rim_on_one_side marks trace/plan_marks.cpp 'for (const double side : {sine, -sine}) {' 'for (const double side : {sine}) {'
+mutant marks_rim_of_a_tilted_spot marks trace/plan_marks.cpp 'spot.cos_outer / level' 'spot.cos_outer'
+mutant marks_sun_from_behind marks trace/plan_marks.cpp 'PlanRay{at, -place, true} : PlanRay{place, at - place}' 'PlanRay{at, -place, true} : PlanRay{at, at - place}'
+mutant marks_tangents_as_wide_as_the_centre marks trace/plan_marks.cpp 'sine = other.radius / away' 'sine = other.radius / (away + other.radius)'
 
 # --- Cones and pencils ------------------------------------------------------------------------------------------------
 mutant cones_mirror_curved_the_other_way cones trace/ray_cone.cpp 'width.spread + 2 * curvature' 'width.spread - 2 * curvature'

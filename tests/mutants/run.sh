@@ -71,6 +71,7 @@ verdict() {
     libraries=("${catch2[@]}")
   [[ $2 == beams ]] && program=("-I$root/tests" -DRAYWALK_GMP "$root/tests/trace/beam_cut_test.cpp" "$4/src/trace/unfolded_plan.cpp") \
     libraries=("${catch2[@]}" -lgmpxx -lgmp)
+  [[ $2 == marks ]] && program=("-I$root/tests" "$root/tests/trace/plan_marks_test.cpp" "$4/src/trace/plan_marks.cpp") libraries=("${catch2[@]}")
   [[ $2 == cones ]] && program=("-I$root/tests" "$root/tests/trace/"{ray_cone,pencil}_test.cpp "$4"/src/{trace/ray_cone,trace/microfacets,math/sampler}.cpp) \
     libraries=("${catch2[@]}")
   [[ $2 == differentials ]] && program=("-I$root/tests" "$root/tests/"{trace/ray_differential,trace/checker_filter,accel/derivative}_test.cpp "$4/src/trace/checker_filter.cpp") \
