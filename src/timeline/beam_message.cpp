@@ -2,6 +2,7 @@
 
 #include "timeline/part_words.h"
 
+#include <numbers>
 #include <string>
 
 namespace raywalk {
@@ -20,6 +21,12 @@ class BeamDescriber : PartWords {
   using PartWords::describe;
 
   [[nodiscard]] Told describe(const Event& /*event*/, const BeamFormed& formed) const {
+    if (formed.snell) {
+      const std::string from = object(part_above().object);
+      if (formed.snell->n1 == formed.snell->n2) return Message{"walk.straight_beam_formed", {{"object", from}}};
+      return Message{"walk.refracted_beam_formed",
+                     {{"object", from}, {"degrees", formed.off * 180 / std::numbers::pi}}};
+    }
     if (formed.parent >= 0) return Message{"walk.mirrored_beam_formed", {{"object", object(part_above().object)}}};
     if (timeline_.of_strip()) return Message{"walk.beam_formed", {{"cell", pixel().column}}};
     return Message{"walk.image_beam_formed", {{"column", pixel().column}, {"row", pixel().row}}};
@@ -47,7 +54,9 @@ class BeamDescriber : PartWords {
   }
 
   [[nodiscard]] Told describe(const Event& event, const ShadeCalled& called) const {
-    return Message{event.line == Line::shade_parts ? "walk.parts_called" : "walk.mirrored_parts_called",
+    return Message{event.line == Line::shade_parts            ? "walk.parts_called"
+                   : event.line == Line::shade_mirrored_parts ? "walk.mirrored_parts_called"
+                                                              : "walk.refracted_parts_called",
                    {{"depth", called.depth}}};
   }
 
@@ -66,6 +75,11 @@ class BeamDescriber : PartWords {
       if (nothing) return Message{"walk.part_background_no_mirror", {}};
       if (!decided.holds) return Message{"walk.part_no_mirror", {{"object", seen()}}};
       return Message{"walk.part_mirrors", {{"object", seen()}, {"weight", decided.weight}}};
+    }
+    if (event.line == Line::if_flat_glass) {
+      if (nothing) return Message{"walk.part_background_no_glass", {}};
+      if (!decided.holds) return Message{"walk.part_no_glass", {{"object", seen()}}};
+      return Message{"walk.part_refracts", {{"object", seen()}, {"weight", decided.weight}}};
     }
     if (nothing) return Message{"walk.part_background_no_ray", {}};
     return Message{decided.holds ? "walk.part_sends_rays" : "walk.part_sends_no_rays", {{"object", seen()}}};

@@ -247,6 +247,7 @@ class EventWriter {
     to_["begin"] = formed.begin;
     to_["end"] = formed.end;
     if (formed.radius != 0 || formed.spread != 0) to_["radius"] = formed.radius, to_["spread"] = formed.spread;
+    if (formed.snell) to_["n1"] = formed.snell->n1, to_["n2"] = formed.snell->n2, to_["off"] = formed.off;
     to_["share"] = triple(formed.throughput);
   }
 

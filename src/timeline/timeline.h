@@ -98,6 +98,9 @@ class Timeline {
     return events_.empty() ? pseudocodes.front() : pseudocode_with(events_.front().line);
   }
 
+  /// Whether the walk can come to a line of it.
+  [[nodiscard]] bool walks(Line line) const { return is_flat() || !is_of_plan(line); }
+
   /// A photon that was stored while it was watched.
   struct StoredPhoton {
     Vec3d position, normal;

@@ -21,6 +21,7 @@ void BeamTracer<Watcher>::divide(std::vector<Part>& pieces, const Beam& beam, co
   std::vector<Place> edges;
   if (seen.outline >= 0) {
     edges = edges_of_light(beam, seen);
+    for (const Place& edge : edges_of_total_reflection(beam, rest)) edges.push_back(edge);
     const std::optional<std::vector<Place>> squares = edges_of_squares(beam, seen);
     rest.has_mean = !squares;
     if (squares) edges.insert(edges.end(), squares->begin(), squares->end());
@@ -70,6 +71,21 @@ std::vector<Place> BeamTracer<Watcher>::edges_of_light(const Beam& beam, const B
   return edges;
 }
 
+/// Where the rays of a part come to a straight face at the critical angle.
+template <class Watcher>
+std::vector<Place> BeamTracer<Watcher>::edges_of_total_reflection(const Beam& beam, const Part& whole) {
+  const Outline& outline = outlines_[static_cast<std::size_t>(whole.outline)];
+  if (!outline.is_straight() || !world_.surface(primitives_[static_cast<std::size_t>(outline.object)]).transmits)
+    return {};
+  Part part = whole;
+  const Statistics counted = statistics_;
+  meet(part, beam, part.middle());
+  statistics_ = counted;
+  const Refraction<double>& bends = part.at->refraction;
+  if (!(bends.n1 > bends.n2)) return {};
+  return beam.plan->places_of(beam.fan, whole, seen_at_sine(outline, beam.plan->virtual_eye(), bends.n2 / bends.n1));
+}
+
 /// None where the squares are too many to be cut.
 template <class Watcher>
 std::optional<std::vector<Place>> BeamTracer<Watcher>::edges_of_squares(const Beam& beam, const BeamPart& part) const {
@@ -100,7 +116,7 @@ std::vector<Rgbd> BeamTracer<Watcher>::look_of(const Beam& beam, const Part& pie
   meet(part, beam, part.middle());
   statistics_ = counted;
   const SurfaceVertex<double>& at = *part.at;
-  std::vector<Rgbd> look{at.bsdf.diffuse, part.ambient};
+  std::vector<Rgbd> look{at.bsdf.diffuse, part.ambient, Rgbd(is_black(at.bsdf.transparent))};
   TestCounts uncounted;
   for (const Light& light : world_.lights) {
     if (detail::has_extent(world_, light)) continue;
@@ -149,9 +165,9 @@ auto BeamTracer<Watcher>::form_shadow_ray(int depth, const Part& part, const Bea
   return shadow;
 }
 
-/// What a ray of a part finds, but for mirrored beams.
+/// What a ray of a part brings. `mirrored`, `beyond`: what a beam finds there, if the part sends one.
 template <class Watcher>
-Rgbd BeamTracer<Watcher>::shade_beside(int depth, const Part& beside) {
+Rgbd BeamTracer<Watcher>::shade_beside(int depth, const Part& beside, const Rgbd& mirrored, const Rgbd& beyond) {
   if (!beside.at) return detail::shade_of_middle(world_, beside, Rgbd(0.0)).total;
   const SurfaceVertex<double>& at = *beside.at;
   Rgbd direct{0.0};
@@ -169,7 +185,8 @@ Rgbd BeamTracer<Watcher>::shade_beside(int depth, const Part& beside) {
   }
   const Rgbd followed =
       detail::brought_by_rays(world_, tracer_, depth, at, [&](RayKind kind) { return sends(beside, kind); });
-  return at.throughput * (detail::shade_of_middle(world_, beside, direct).total + followed);
+  const Rgbd by_beams = at.bsdf.mirror * mirrored + at.bsdf.transparent * beyond;
+  return at.throughput * (detail::shade_of_middle(world_, beside, direct).total + followed + by_beams);
 }
 
 /// Where a surface's plane crosses a light with an extent, the light ends there.

@@ -2,6 +2,7 @@
 // What the statements of trace/beams.h do, but for lights (trace/beam_light_steps.h). Included by it alone.
 
 #include "trace/beams.h"
+#include "trace/flat_refraction.h"
 #include "trace/part_steps.h"
 #include "trace/representable.h"
 #include "trace/shadow_transmittance.h"
@@ -16,6 +17,9 @@ namespace detail {
 
 /// Farther from the eye than everything that has an end.
 [[nodiscard]] double far_from(const Vec2d& eye, const std::vector<Outline>& outlines);
+
+/// Of an angle to a normal: what is less runs along the face.
+inline constexpr double least_cosine = 1e-6;
 
 /// In the place of a checker: the mean of its squares, if `all`.
 struct MeanOfSquares {
@@ -108,6 +112,10 @@ void BeamTracer<Watcher>::meet(Part& part, const Beam& beam, const Place& place)
   detail::MeanOfSquares mean{world_, part.has_mean};
   part.at = prepare_vertex<AllEffects>(world_, nested_, middle, hit, statistics_, mean);
   part.ambient = part.at->values().ambient;
+  // Neither along the face nor where two bodies touch, of which the beam would meet one.
+  const Refraction<double>& bends = part.at->refraction;
+  part.keeps_beam = is_straight(part) && !is_black(part.at->bsdf.transparent) && bends.cos_in > detail::least_cosine &&
+                    bends.cos_out > detail::least_cosine && !beam.plan->has_another_upon(part.outline);
   if (part.at->mapped) return;
   if (part.has_mean)
     part.ambient *= mean.pattern(hit, {}, part.ray.time);
@@ -197,9 +205,53 @@ auto BeamTracer<Watcher>::form_mirrored_beam(int depth, const Part& part, const 
 }
 
 template <class Watcher>
+bool BeamTracer<Watcher>::decide_flat_glass(int depth, const Part& part) {
+  const bool holds = part.at && part.keeps_beam;
+  note(Line::if_flat_glass, depth, [&] { return Decided{holds, holds ? part.at->bsdf.transparent : Rgbd(0.0)}; });
+  return holds;
+}
+
+/// P. Heckbert and P. Hanrahan 1984: its rays seem to come from the eye moved along the normal.
+template <class Watcher>
+auto BeamTracer<Watcher>::form_refracted_beam(int depth, const Part& part, const Beam& beam) -> std::optional<Beam> {
+  const SurfaceVertex<double>& at = *part.at;
+  const Rgbd throughput =
+      beam.throughput * at.throughput * at.bsdf.transparent * (part.width() / (beam.end - beam.begin));
+  if (const auto why = detail::why_not_followed(world_, depth, throughput)) {
+    ++statistics_.ends(*why);
+    note(Line::form_refracted_beam, depth, [&] {
+      return RayNotFormed{part.number, RayKind::beam, *why, at.position, at.bsdf.transparent_axis, throughput};
+    });
+    return std::nullopt;
+  }
+  const Refraction<double>& bends = at.refraction;
+  const FlatRefraction face(plan(at.bsdf.geometric_normal), bends.n1, bends.n2, bends.cos_in, bends.cos_out);
+  const auto arriving = [&](const Vec2d& direction) { return beam.plan->leaving(direction); };
+  const Vec2d point = plan(at.position), eye = point - face.bent(point - beam.plan->virtual_eye());
+  Beam refracted{std::make_shared<const UnfoldedPlan>(beam.plan->beyond(part.outline, eye)),
+                 {face.bent(arriving(beam.fan.begin)), face.bent(arriving(beam.fan.end))},
+                 part.begin,
+                 part.end,
+                 throughput,
+                 rays_formed_++,
+                 at.departure,
+                 at.behind};
+  note(Line::form_refracted_beam, depth, [&] {
+    BeamFormed formed{refracted.number,   part.number,      detail::in_plan(eye),
+                      part.begin.value(), part.end.value(), area_of(refracted, {part.begin, part.end}),
+                      throughput};
+    formed.snell = snell_numbers(bends);
+    for (const Place& end : {part.begin, part.end})
+      formed.off = std::max(formed.off, face.off(arriving(beam.fan.at(end))));
+    return formed;
+  });
+  return refracted;
+}
+
+template <class Watcher>
 bool BeamTracer<Watcher>::sends(const Part& part, RayKind kind) const {
   if (!part.at || is_black(detail::weight_of(*part.at, kind))) return false;
-  return kind == RayKind::refract || !is_straight(part);
+  return kind == RayKind::refract ? !part.keeps_beam : !is_straight(part);
 }
 
 template <class Watcher>
@@ -247,17 +299,28 @@ Rgbd BeamTracer<Watcher>::follow_middle_ray(int depth, const MiddleRay& ray) {
   return tracer_.radiance_along(ray.ray, depth + 1, ray.medium);
 }
 
-/// Of rays a sixteenth of a part's width from its ends, beside that in its middle, which brought `own`: by all but
-/// mirrored beams, which say so of themselves.
+/// Of rays a sixteenth of a part's width from its ends, beside that in its middle, which brought `shade`. What beams
+/// bring, `reflected` and `refracted`, is held to be the same there, but for how much of it the surface sends on.
 template <class Watcher>
-double BeamTracer<Watcher>::off_near_ends(int depth, const Beam& beam, const Part& part, const Rgbd& own) {
+double BeamTracer<Watcher>::off_near_ends(int depth, const Beam& beam, const Part& part, const Rgbd& shade,
+                                          const Rgbd& reflected, const Rgbd& refracted) {
+  const auto sent = [&](RayKind kind, const Rgbd& brought) {
+    Rgbd light(0.0);
+    if (!part.at || sends(part, kind)) return light;
+    const Rgbd& weight = detail::weight_of(*part.at, kind);
+    for (int i = 0; i < 3; ++i)
+      if (weight[i] > 0) light[i] = brought[i] / weight[i];
+    return light;
+  };
   const Statistics counted = statistics_;
   double off = 0;
   for (const double share : {1.0 / 16, 15.0 / 16}) {
     Part beside = part;
     beside.has_mean = false;
     meet(beside, beam, {part.begin.value() + share * part.width(), 0});
-    const Rgbd more = shade_beside(depth, beside) - own;
+    beside.keeps_beam = part.keeps_beam;
+    const Rgbd more =
+        shade_beside(depth, beside, sent(RayKind::reflect, reflected), sent(RayKind::refract, refracted)) - shade;
     off = std::max({off, std::abs(more.x), std::abs(more.y), std::abs(more.z)});
   }
   statistics_ = counted;
@@ -270,7 +333,6 @@ void BeamTracer<Watcher>::add_part(Rgbd& mean, int depth, const Beam& beam, cons
                                    const Rgbd& reflected, const Rgbd& refracted) {
   const Rgbd left = part.at ? part.at->throughput : Rgbd(1.0);
   const Rgbd shade = left * (local + reflected + refracted);
-  const bool by_beam = part.at && is_straight(part);
   mean += (shade - mean) * (part.width() / (part.end - beam.begin));
   note(Line::add_part, depth, [&] {
     return PartAdded{part.number,
@@ -281,7 +343,7 @@ void BeamTracer<Watcher>::add_part(Rgbd& mean, int depth, const Beam& beam, cons
                      part.width() / (beam.end - beam.begin),
                      mean,
                      part.end == beam.end,
-                     off_near_ends(depth, beam, part, left * (local + refracted + (by_beam ? Rgbd(0.0) : reflected)))};
+                     off_near_ends(depth, beam, part, shade, reflected, refracted)};
   });
 }
 

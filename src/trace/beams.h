@@ -8,8 +8,13 @@
 // Lines of checkers and the rims of spot lights cut parts, too (trace/plan_marks.h). A part is shaded by one ray, in
 // its middle: along it the shade is taken as constant, which is exact where it is; by how much it is not, a walk says.
 // To a light with an extent all rays go from there at once, and its width is cut as a pixel's is. A flat mirror
-// reflects a beam as a beam. Neither a curved mirror nor glass does, but in approximation: of these a single ray is
-// followed, from the middle, as trace/tracer.h does.
+// reflects a beam as a beam. Of curved mirrors and glass a single ray is followed, from the middle, as trace/tracer.h
+// does.
+//
+// Flat glass refracts a beam as the paper approximates it: small angles' sines are their tangents, and by
+// n1 tan = n2 tan' the rays beyond seem to come from one point again, which is the eye moved along the face's normal.
+// Here its distance grows by tan / tan' of the middle ray (n2 / n1 of one along the normal): that ray is Snell's, and
+// how far those at the ends are off his law, a walk says. No part goes beyond the critical angle: there it is cut.
 //
 // The world is flat: everything is endless along z, and what lies above or below the plan is not there.
 
@@ -80,6 +85,7 @@ class BeamTracer {
     int object = -1;
     std::optional<SurfaceVertex<double>> at{};  ///< what that ray meets
     Rgbd ambient{0.0};                          ///< of the surface
+    bool keeps_beam = false;                    ///< refracts it as a beam
     bool has_mean = false;                      ///< of its checker, whose squares are too many to be cut
   };
   static constexpr double most_squares = 64;  ///< of a checker that a part is cut into
@@ -141,6 +147,17 @@ class BeamTracer {
           reflected = part.at->bsdf.mirror * shade_parts(deeper, *mirrored, seen);
         }
       }
+      // If flat glass
+      if (decide_flat_glass(depth, part)) {
+        // Form refracted beam
+        if (const std::optional<Beam> bent = form_refracted_beam(depth, part, beam)) {
+          // Cut it by outlines and shadows
+          const std::vector<Part> seen = cut(Line::cut_refracted_beam, depth, *bent);
+          // Shade parts (DEPTH+1, REFRSHADE)
+          const int deeper = call_shade_parts(Line::shade_refracted_parts, depth, *bent);
+          refracted = part.at->bsdf.transparent * shade_parts(deeper, *bent, seen);
+        }
+      }
       // If curved mirror or glass
       if (decide_curved_or_glass(depth, part)) {
         for (const RayKind kind : {RayKind::reflect, RayKind::refract}) {
@@ -166,13 +183,14 @@ class BeamTracer {
   void divide(std::vector<Part>& pieces, const Beam& beam, const BeamPart& seen);
   [[nodiscard]] bool is_lit(int outline) const;
   [[nodiscard]] std::vector<Place> edges_of_light(const Beam& beam, const BeamPart& part) const;
+  [[nodiscard]] std::vector<Place> edges_of_total_reflection(const Beam& beam, const Part& whole);
   [[nodiscard]] std::optional<std::vector<Place>> edges_of_squares(const Beam& beam, const BeamPart& part) const;
   [[nodiscard]] std::vector<Rgbd> look_of(const Beam& beam, const Part& piece);
   [[nodiscard]] BeamArea area_of(const Beam& beam, const BeamPart& part) const;
   int call_shade_parts(Line line, int depth, const Beam& beam);
   void begin(int depth, const std::vector<Part>& parts, const Part& part);
   std::optional<Shadow> form_shadow_ray(int depth, const Part& part, const Beam& beam, const Light& light);
-  [[nodiscard]] Rgbd shade_beside(int depth, const Part& beside);
+  [[nodiscard]] Rgbd shade_beside(int depth, const Part& beside, const Rgbd& mirrored, const Rgbd& beyond);
   Rgbd find_intersection(int depth, const Part& part, const Shadow& shadow, const Light& light);
   [[nodiscard]] LightSeen seen_of(const Light& light, const SurfaceVertex<double>& at) const;
   [[nodiscard]] std::optional<PixelFan> fan_to(const Light& light, const Vec3d& from) const;
@@ -185,11 +203,14 @@ class BeamTracer {
   [[nodiscard]] bool is_straight(const Part& part) const;
   bool decide_flat_mirror(int depth, const Part& part);
   std::optional<Beam> form_mirrored_beam(int depth, const Part& part, const Beam& beam);
+  bool decide_flat_glass(int depth, const Part& part);
+  std::optional<Beam> form_refracted_beam(int depth, const Part& part, const Beam& beam);
   bool decide_curved_or_glass(int depth, const Part& part);
   [[nodiscard]] bool sends(const Part& part, RayKind kind) const;
   std::optional<MiddleRay> form_middle_ray(int depth, const Part& part, const Beam& beam, RayKind kind);
   Rgbd follow_middle_ray(int depth, const MiddleRay& ray);
-  [[nodiscard]] double off_near_ends(int depth, const Beam& beam, const Part& part, const Rgbd& own);
+  [[nodiscard]] double off_near_ends(int depth, const Beam& beam, const Part& part, const Rgbd& shade,
+                                     const Rgbd& reflected, const Rgbd& refracted);
   void add_part(Rgbd& mean, int depth, const Beam& beam, const Part& part, const Rgbd& local, const Rgbd& reflected,
                 const Rgbd& refracted);
   template <class Put>

@@ -383,15 +383,17 @@ struct BeamArea {
       corner_ends{};  ///< in space: the rays through the corners of a beam's window, on a cone's rim
 };
 
-/// form_beam, form_mirrored_beam, form_cone and its like.
+/// form_beam, form_mirrored_beam, form_refracted_beam, form_cone and its like.
 struct BeamFormed {
   int ray;     ///< number of the beam, among the rays of this recording
-  int parent;  ///< the part that was mirrored; -1 for a pixel's beam
+  int parent;  ///< the part that was mirrored or refracted; -1 for a pixel's beam
   Vec3d apex;  ///< from where its rays come, or seem to: EYE, or its mirror image
   double begin, end;
   BeamArea area;
   Rgbd throughput;
-  double radius = 0, spread = 0;  ///< cones: where they start, and how fast that grows (trace/ray_cone.h)
+  double radius = 0, spread = 0;        ///< cones: where they start, and how fast that grows (trace/ray_cone.h)
+  std::optional<SnellNumbers> snell{};  ///< of a refracted beam, in the middle of its part
+  double off = 0;  ///< then: the angle in radians that the rays at its ends are off Snell's law, the larger one
 };
 
 /// A part of a beam. `object`: index in Scene::objects, what all of it sees; -1: nothing.

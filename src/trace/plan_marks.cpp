@@ -108,6 +108,21 @@ std::vector<Vec2d> spot_rims(const Outline& outline, const Vec2d& place, const S
   return points;
 }
 
+std::vector<Vec2d> seen_at_sine(const Outline& straight, const Vec2d& from, double sine) {
+  Vec2d on, normal;
+  if (const auto* wall = std::get_if<OutlineWall>(&straight.shape)) {
+    on = wall->point, normal = wall->normal;
+  } else {
+    const auto& side = std::get<OutlineSide>(straight.shape);
+    on = side.from, normal = {side.from.y - side.to.y, side.to.x - side.from.x};
+  }
+  const double cosine = std::sqrt(1 - sine * sine), towards = dot(normal, on - from) > 0 ? 1 : -1;
+  std::vector<Vec2d> points;
+  for (const double way : {sine, -sine})
+    add_meetings(points, on, normal, {from, turned(towards * normal, way, cosine)});
+  return points;
+}
+
 std::vector<Vec2d> shadows_on_circle(const OutlineCircle& circle, const std::vector<Outline>& outlines,
                                      const PlanLight& light) {
   std::vector<Vec2d> points;

@@ -1,7 +1,7 @@
 #pragma once
 // What divides an outline of the plan beside what hides it: the lines of a checker on it, the rims of spot lights, and
-// on a circle the edges of shadows (those of straight outlines are exact: UnfoldedPlan::shadow_edges). All are points
-// of the outline, rounded.
+// on a circle the edges of shadows (those of straight outlines are exact: UnfoldedPlan::shadow_edges), and where light
+// comes to it at the critical angle. All are points of the outline, rounded.
 
 #include "scene/lights/spot_light.h"
 #include "trace/unfolded_plan.h"
@@ -25,6 +25,9 @@ using OutlineStretch = std::vector<Vec2d>;
 /// Where the rim of a spot light crosses an outline, and the rim of what it lights in full. `place`: the light's.
 [[nodiscard]] std::vector<Vec2d> spot_rims(const Outline& outline, const Vec2d& place,
                                            const SpotLight::Prepared<double>& spot);
+
+/// Where a straight outline is seen from a place at this sine of the angle to its normal.
+[[nodiscard]] std::vector<Vec2d> seen_at_sine(const Outline& straight, const Vec2d& from, double sine);
 
 /// Where a circle passes from the light of a light without extent into a shadow, also its own, or back. A superset:
 /// outlines that other outlines hide from the light are not left out.

@@ -135,6 +135,10 @@ enum class Line {
   form_mirrored_beam,
   cut_mirrored_beam,
   shade_mirrored_parts,
+  if_flat_glass,
+  form_refracted_beam,
+  cut_refracted_beam,
+  shade_refracted_parts,
   if_curved_or_glass,
   form_middle_ray,
   follow_middle_ray,
@@ -262,7 +266,7 @@ inline constexpr std::array<PseudocodeLine, radiosity_line_count> radiosity_pseu
     {Line::forget_unshot_light, "forget_unshot_light", Procedure::shoot_light, 0, "Forget unshot light"},
 }};
 
-inline constexpr int beam_line_count = 17;
+inline constexpr int beam_line_count = 21;
 inline constexpr std::array<PseudocodeLine, beam_line_count> beam_pseudocode{{
     {Line::beam_for_each_pixel, "for_each_pixel", Procedure::beam_tracing, 0, "For each pixel"},
     {Line::form_beam, "form_beam", Procedure::beam_tracing, 1, "Form beam of the pixel"},
@@ -277,6 +281,11 @@ inline constexpr std::array<PseudocodeLine, beam_line_count> beam_pseudocode{{
     {Line::form_mirrored_beam, "form_mirrored_beam", Procedure::shade_parts, 2, "Form mirrored beam"},
     {Line::cut_mirrored_beam, "cut_mirrored_beam", Procedure::shade_parts, 2, "Cut it by outlines and shadows"},
     {Line::shade_mirrored_parts, "shade_mirrored_parts", Procedure::shade_parts, 2, "Shade parts (DEPTH+1, REFLSHADE)"},
+    {Line::if_flat_glass, "if_flat_glass", Procedure::shade_parts, 1, "If flat glass"},
+    {Line::form_refracted_beam, "form_refracted_beam", Procedure::shade_parts, 2, "Form refracted beam"},
+    {Line::cut_refracted_beam, "cut_refracted_beam", Procedure::shade_parts, 2, "Cut it by outlines and shadows"},
+    {Line::shade_refracted_parts, "shade_refracted_parts", Procedure::shade_parts, 2,
+     "Shade parts (DEPTH+1, REFRSHADE)"},
     {Line::if_curved_or_glass, "if_curved_or_glass", Procedure::shade_parts, 1, "If curved mirror or glass"},
     {Line::form_middle_ray, "form_middle_ray", Procedure::shade_parts, 2, "Form ray from its middle"},
     {Line::follow_middle_ray, "follow_middle_ray", Procedure::shade_parts, 2, "Follow it as a ray"},
@@ -329,6 +338,11 @@ inline constexpr int all_lines_count = static_cast<int>(pseudocodes.back().lines
 [[nodiscard]] constexpr const PseudocodeLine& pseudocode_of(Line line) {
   const Pseudocode& code = pseudocode_with(line);
   return code.lines[static_cast<std::size_t>(line) - static_cast<std::size_t>(code.lines.front().line)];
+}
+
+/// Whether a line of beam tracing is of the plan only: beams of the picture follow all glass by rays.
+[[nodiscard]] constexpr bool is_of_plan(Line line) {
+  return line >= Line::if_flat_glass && line <= Line::shade_refracted_parts;
 }
 
 /// Of the translation of its title: the text "procedure.ID".

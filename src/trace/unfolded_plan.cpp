@@ -102,7 +102,7 @@ UnfoldedPlan::UnfoldedPlan(const std::vector<Outline>& outlines, const Vec2d& ey
 
 UnfoldedPlan UnfoldedPlan::mirrored(int outline) const {
   UnfoldedPlan plan(*this);
-  plan.mirror_ = seen_[static_cast<std::size_t>(outline)];
+  plan.mirror_ = seen_[static_cast<std::size_t>(outline)], plan.mirror_outline_ = outline;
   // What is seen in the mirror is the plan reflected in it first, and then in those before it.
   const ExactLine line = line_of((*outlines_)[static_cast<std::size_t>(outline)]);
   const Expansion square = dot(line.normal, line.normal);
@@ -118,6 +118,41 @@ UnfoldedPlan UnfoldedPlan::mirrored(int outline) const {
   plan.seen_.clear();
   for (const Outline& each : *outlines_) plan.seen_.push_back(plan.seen(each));
   return plan;
+}
+
+UnfoldedPlan UnfoldedPlan::beyond(int outline, const Vec2d& eye) const {
+  UnfoldedPlan plan(*outlines_, eye);
+  plan.mirror_ = plan.seen_[static_cast<std::size_t>(outline)], plan.mirror_outline_ = outline;
+  return plan;
+}
+
+bool UnfoldedPlan::has_another_upon(int outline) const {
+  const auto index = static_cast<std::size_t>(outline);
+  const Seen& one = seen_[index];
+  const auto on_line = [](const ExactPoint& point, const Seen& line) {
+    return (dot(line.normal, point) - line.offset).sign() == 0;
+  };
+  const auto range = [&](const Outline& of, const Vec2d& along) {
+    const auto& side = std::get<OutlineSide>(of.shape);
+    return std::minmax(dot(along, side.from), dot(along, side.to));
+  };
+  for (std::size_t i = 0; i < seen_.size(); ++i) {
+    const Seen& other = seen_[i];
+    if (!other.straight || (*outlines_)[i].object == (*outlines_)[index].object) continue;
+    if (one.endless && other.endless) {
+      const ExactPoint apart = one.normal * other.offset - other.normal * one.offset;
+      if (cross(one.normal, other.normal).sign() == 0 && apart.x.sign() == 0 && apart.y.sign() == 0) return true;
+    } else if (one.endless || other.endless) {
+      const Seen &wall = one.endless ? one : other, &side = one.endless ? other : one;
+      if (on_line(side.from, wall) && on_line(side.to, wall)) return true;
+    } else if (on_line(other.from, one) && on_line(other.to, one)) {
+      const auto& side = std::get<OutlineSide>((*outlines_)[index].shape);
+      const auto [low, high] = range((*outlines_)[index], side.to - side.from);
+      const auto [other_low, other_high] = range((*outlines_)[i], side.to - side.from);
+      if (low < other_high && other_low < high) return true;
+    }
+  }
+  return false;
 }
 
 /// Through the mirrors from the last one on.
@@ -303,7 +338,7 @@ auto UnfoldedPlan::nearest(const ExactPoint& direction) const -> Nearest {
   Nearest nearest;
   std::optional<Distance> least;
   for (std::size_t i = 0; i < seen_.size(); ++i) {
-    if (mirror_ && static_cast<int>(i) == mirrors_.back().outline) continue;
+    if (static_cast<int>(i) == mirror_outline_) continue;
     bool far_side = false;
     const std::optional<Distance> at = distance(seen_[i], direction, mirror, &far_side);
     // Outlines that lie upon each other: the first of them.

@@ -73,6 +73,11 @@ class UnfoldedPlan {
   UnfoldedPlan(const std::vector<Outline>& outlines, const Vec2d& eye);
   /// As it is seen beyond a straight outline that mirrors.
   [[nodiscard]] UnfoldedPlan mirrored(int outline) const;
+  /// The same outlines as an eye sees them through a straight one: what lies beyond it, unreflected. By glass that
+  /// bends its rays this is another eye than they come from.
+  [[nodiscard]] UnfoldedPlan beyond(int outline, const Vec2d& eye) const;
+  /// Whether a straight outline of another object lies upon this straight one, in part.
+  [[nodiscard]] bool has_another_upon(int outline) const;
 
   /// What the rays between two places see, in parts that follow each other; each with another outline than its
   /// neighbours, or, of a circle, its other side. `stop` may cancel it, which then throws Stopped.
@@ -90,7 +95,7 @@ class UnfoldedPlan {
 
   // Rounded, in the plan itself.
 
-  /// Where this ray starts: the eye, or the last mirror.
+  /// Where this ray starts: the eye, or the last mirror or glass.
   [[nodiscard]] Vec2d start(const Vec2d& direction) const;
   /// Its direction there, as long as it is at the eye.
   [[nodiscard]] Vec2d leaving(const Vec2d& direction) const;
@@ -140,7 +145,8 @@ class UnfoldedPlan {
   std::vector<Mirror> mirrors_;  ///< from the eye on
   double scale_ = 1;             ///< the common number, rounded
   std::vector<Seen> seen_;
-  std::optional<Seen> mirror_;  ///< the last one, as it is seen in those before
+  std::optional<Seen> mirror_;  ///< the last one, as it is seen in those before; or a face of glass
+  int mirror_outline_ = -1;     ///< its outline
 };
 
 }  // namespace raywalk

@@ -235,6 +235,11 @@ mutant marks_rim_on_one_side marks trace/plan_marks.cpp 'for (const double side 
 mutant marks_rim_of_a_tilted_spot marks trace/plan_marks.cpp 'spot.cos_outer / level' 'spot.cos_outer'
 mutant marks_sun_from_behind marks trace/plan_marks.cpp 'PlanRay{at, -place, true} : PlanRay{place, at - place}' 'PlanRay{at, -place, true} : PlanRay{at, at - place}'
 mutant marks_tangents_as_wide_as_the_centre marks trace/plan_marks.cpp 'sine = other.radius / away' 'sine = other.radius / (away + other.radius)'
+mutant marks_critical_angle_of_the_cosine marks trace/plan_marks.cpp 'turned(towards * normal, way, cosine)' 'turned(towards * normal, cosine, way)'
+mutant glass_ratio_turned_over marks trace/flat_refraction.h 'n2 * cos_out / (n1 * cos_in)' 'n1 * cos_in / (n2 * cos_out)'
+mutant glass_ratio_along_the_normal marks trace/flat_refraction.h 'n2 * cos_out / (n1 * cos_in)' 'n2 / n1'
+mutant glass_bent_the_other_way marks trace/flat_refraction.h 'way + (ratio_ - 1)' 'way - (ratio_ - 1)'
+mutant glass_off_by_another_law marks trace/flat_refraction.h 'n1_ / n2_ * dot(direction, along)' 'n2_ / n1_ * dot(direction, along)'
 
 # --- Cones and pencils ------------------------------------------------------------------------------------------------
 mutant cones_mirror_curved_the_other_way cones trace/ray_cone.cpp 'width.spread + 2 * curvature' 'width.spread - 2 * curvature'

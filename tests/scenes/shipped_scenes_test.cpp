@@ -18,9 +18,10 @@ using raywalk::test::contains;
 namespace {
 
 const std::set<std::string> planar_scenes{
-    "classic", "glass",       "mirrors",  "shadows",      "antialiasing", "depth_of_field", "everything",
-    "gloss",   "motion_blur", "penumbra", "translucency", "many_circles", "glass_in_water", "gold",
-    "caustic", "beams",       "milk",     "filters",      "metals",       "cones"};
+    "classic",        "glass", "mirrors",     "shadows",  "antialiasing", "depth_of_field",
+    "everything",     "gloss", "motion_blur", "penumbra", "translucency", "many_circles",
+    "glass_in_water", "gold",  "caustic",     "beams",    "milk",         "filters",
+    "metals",         "cones", "flat_glass",  "pencils"};
 
 /// Every scene of the folder, by name without ending.
 std::map<std::string, SceneDocument> shipped_scenes() {

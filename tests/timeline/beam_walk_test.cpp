@@ -247,6 +247,130 @@ TEST_CASE("where light varies along a part, its middle stands for it: near the m
   for (const Rgbd& shade : shades_of_strip(plain)) CHECK(shade == Rgbd(0.7));
 }
 
+namespace {
+
+/// A slab of glass before chequered walls.
+Scene slab(double ior) {
+  Scene scene = chequered();
+  scene.limits.depth = 4;
+  scene.objects[4].material = scene.objects[0].material;
+  Material glass;
+  glass.diffuse = glass.specular = Rgbd(0.0);
+  glass.ambient = Rgbd(0.0);
+  glass.transmission = Rgbd(1.0);
+  glass.ior = ior;
+  glass.shadow = ShadowKind::filtered;
+  scene.objects.push_back({"Glass", Prism<double>{{{-3.5, -2.4}, {-3.0, -2.5}, {-2.6, 2.2}, {-3.1, 2.3}}, 1}, glass});
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("through flat glass of index 1 beams go straight on, and see what they see without it") {
+  Scene without = slab(1);
+  without.objects.pop_back();
+  const std::vector<Rgbd> bare = shades_of_strip(without);
+  const Timeline timeline = record_strip(slab(1));
+  int formed = 0;
+  for (int at = 0; at < timeline.steps(); ++at) {
+    CHECK(timeline.event(at).line != Line::form_middle_ray);
+    const auto* beam = std::get_if<BeamFormed>(&timeline.event(at).detail);
+    if (beam == nullptr || !beam->snell) continue;
+    CHECK(beam->off == 0);
+    CHECK(length(beam->apex - slab(1).camera.eye) < 1e-14);
+    ++formed;
+  }
+  CHECK(formed > 20);
+  for (std::size_t i = 0; i < bare.size(); ++i) CHECK(largest(timeline.pixels()[i].shade - bare[i]) < 1e-12);
+}
+
+TEST_CASE("beyond flat glass the middle of a beam goes as Snell's law says, and its ends are as far off as it says") {
+  const auto beside = [](int cells) {
+    Scene scene = slab(1.5);
+    scene.camera.screen = {2, 3.0, cells};
+    const Timeline timeline = record_strip(scene);
+    int formed = 0;
+    double sum = 0;
+    for (int at = 0; at < timeline.steps(); ++at) {
+      const auto* beam = std::get_if<BeamFormed>(&timeline.event(at).detail);
+      if (beam == nullptr || !beam->snell) continue;
+      // The part that it comes of, as it was cut.
+      const BeamPiece* from = nullptr;
+      for (int before = 0; before < at; ++before)
+        if (const auto* cut = std::get_if<BeamCut>(&timeline.event(before).detail))
+          for (const BeamPiece& piece : cut->pieces)
+            if (piece.ray == beam->parent) from = &piece;
+      REQUIRE(from != nullptr);
+      const Vec3d comes = normalize(from->point - from->origin), goes = normalize(from->point - beam->apex);
+      CHECK(length(cross(comes, from->normal)) * beam->snell->n1 ==
+            Approx(length(cross(goes, from->normal)) * beam->snell->n2).epsilon(1e-9));
+      CHECK(dot(comes, goes) > 0.5);
+      CHECK(beam->snell->n1 != beam->snell->n2);
+      // It starts where the part ends.
+      for (const Vec3d& start : beam->area.starts) {
+        CHECK(dot(start - from->point, from->normal) == Approx(0).margin(1e-12));
+        CHECK(std::abs(
+                  cross(plan(start - beam->apex), plan(beam->area.ends[&start - beam->area.starts.data()] - start))) <
+              1e-9 * length(beam->area.ends[&start - beam->area.starts.data()] - start));
+      }
+      sum += beam->off;
+      ++formed;
+    }
+    CHECK(formed > 10);
+    return sum / formed;
+  };
+  const double wide = beside(8), narrow = beside(64);
+  CAPTURE(wide, narrow);
+  CHECK(wide > 1e-4);
+  CHECK(wide < 0.1);
+  CHECK(narrow < wide / 4);
+  // And what is seen beyond is as rays see it, the nearer the narrower pixels are.
+  const auto off = [](int cells) {
+    Scene scene = slab(1.5);
+    scene.camera.screen = {2, 3.0, cells};
+    const std::vector<Rgbd> strip = shades_of_strip(scene);
+    const Sampled rays = sampled(scene, cells, 1 << 10);
+    double sum = 0;
+    for (std::size_t i = 0; i < strip.size(); ++i) sum += largest(strip[i] - rays.means[i]) / cells;
+    return sum;
+  };
+  const double eight = off(8), many = off(64);
+  CAPTURE(eight, many);
+  CHECK(eight < 0.03);
+  CHECK(many < 0.006);
+}
+
+TEST_CASE("at the critical angle a beam in glass is cut: on one side all of it is reflected") {
+  Scene scene = slab(1.5);
+  scene.objects.back().shape = Prism<double>{{{-9, -5}, {-5, -5}, {-5, 5}, {-9, 5}}, 1};  // with EYE in it
+  scene.camera.screen = {0.5, 4.2, 16};
+  const Timeline timeline = record_strip(scene);
+  std::set<int> edges;
+  int bent = 0, total = 0;
+  for (int at = 0; at < timeline.steps(); ++at) {
+    const auto* cut = std::get_if<BeamCut>(&timeline.event(at).detail);
+    if (cut == nullptr) continue;
+    for (std::size_t i = 0; i + 1 < cut->pieces.size(); ++i) {
+      const BeamPiece &one = cut->pieces[i], &other = cut->pieces[i + 1];
+      if (one.object != 7 || other.object != 7 || length(one.normal - other.normal) > 1e-9) continue;
+      const Vec3d edge = normalize(one.area.ends.back() - one.area.starts.back());
+      if (length(one.area.ends.back() - one.area.ends.front()) == 0) continue;
+      CHECK(length(cross(edge, one.normal)) == Approx(1 / 1.5).epsilon(1e-12));
+      edges.insert(at);
+    }
+  }
+  for (int at = 0; at < timeline.steps(); ++at) {
+    const Event& event = timeline.event(at);
+    const auto* decided = std::get_if<Decided>(&event.detail);
+    if (decided == nullptr || event.depth != 1) continue;
+    bent += event.line == Line::if_flat_glass && decided->holds;
+    total += event.line == Line::if_flat_mirror && decided->holds;
+  }
+  CHECK(edges.size() >= 2);
+  CHECK(bent > 3);
+  CHECK(total > 3);
+}
+
 TEST_CASE("beams are followed only where every outline is known") {
   Scene scene = lit();
   CHECK(why_no_beams(scene).empty());
@@ -294,9 +418,11 @@ TEST_CASE("every line and every message of beam tracing is reached") {
   Scene alone = plain_scene(Integrator::beams);
   alone.objects = {shades().objects[1]};
   Scene shallow = lit(), faint = lit();
+  Scene air = lit();
+  air.objects[2].material.ior = 1;
   shallow.limits.depth = 1;
   faint.limits.threshold = 0.95;
-  for (const Scene& scene : {lit(), alone, shallow, faint}) {
+  for (const Scene& scene : {lit(), alone, shallow, faint, air}) {
     const Timeline timeline = record_strip(scene);
     REQUIRE(timeline.of_beams());
     for (int position = 1; position <= timeline.steps(); ++position) {

@@ -68,13 +68,19 @@ inline constexpr std::array<std::string_view, 20> radiosity_messages{
     "walk.patch_emptied",  "walk.looked_up",      "walk.looked_up_dark", "walk.looked_up_nothing"};
 
 /// Of BEAM TRACING alone.
-inline constexpr std::array<std::string_view, 24> beam_messages{"walk.beam_formed",
+inline constexpr std::array<std::string_view, 30> beam_messages{"walk.beam_formed",
                                                                 "walk.image_beam_formed",
                                                                 "walk.beam_cut",
                                                                 "walk.beam_whole",
                                                                 "walk.beam_sees_nothing",
                                                                 "walk.parts_called",
                                                                 "walk.mirrored_parts_called",
+                                                                "walk.refracted_parts_called",
+                                                                "walk.straight_beam_formed",
+                                                                "walk.refracted_beam_formed",
+                                                                "walk.part_background_no_glass",
+                                                                "walk.part_no_glass",
+                                                                "walk.part_refracts",
                                                                 "walk.part_sees",
                                                                 "walk.part_sees_nothing",
                                                                 "walk.part_shaded",

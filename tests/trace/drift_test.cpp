@@ -108,9 +108,12 @@ TEST_CASE("every line of pseudocode heads its statement in the beam tracers") {
        {std::pair{"beams.h", "Rgbd shade_parts("}, std::pair{"space_beams.h", "Shades shade_parts("}}) {
     CAPTURE(file);
     const std::string source = test::source_of(std::string(RAYWALK_SOURCE_DIR "/src/trace/") + file);
-    const auto beam_drift = [name = procedure](const std::string& text) {
+    std::vector<PseudocodeLine> lines;
+    for (const PseudocodeLine& line : beam_pseudocode)
+      if (!is_of_plan(line.line) || std::string_view(file) == "beams.h") lines.push_back(line);
+    const auto beam_drift = [name = procedure, &lines](const std::string& text) {
       return test::drift(
-          text, beam_pseudocode,
+          text, lines,
           {std::pair{Procedure::beam_tracing, "void main_algorithm("}, std::pair{Procedure::shade_parts, name}});
     };
     REQUIRE_FALSE(source.empty());

@@ -2,6 +2,7 @@
 // definition.
 
 #include "trace/plan_marks.h"
+#include "trace/flat_refraction.h"
 
 #include <algorithm>
 #include <cmath>
@@ -146,6 +147,49 @@ TEST_CASE("shadows on a circle begin and end at its marks") {
     for (const Vec2d& at : expected) {
       CAPTURE(light.is_distant, at.x, at.y);
       CHECK(std::any_of(marks.begin(), marks.end(), [&](const Vec2d& mark) { return length(at - mark) < 1e-6; }));
+    }
+  }
+}
+
+TEST_CASE("the critical angle is where the sine to the normal is that of the indices") {
+  const Vec2d from{1, -2};
+  for (const Outline& face :
+       {side({-3, 2}, {5, 4}), Outline{OutlineWall{{-3, 2}, {-2, 8}}, 0}, side({5, -4}, {-3, -6})}) {
+    const Vec2d normal = Vec2d(-2, 8) / std::sqrt(68.0);
+    const std::vector<Vec2d> points = seen_at_sine(face, from, 2.0 / 3);
+    REQUIRE(points.size() == 2);
+    CHECK(length(points[0] - points[1]) > 1);
+    for (const Vec2d& at : points)
+      CHECK(std::abs(dot(normal, at - from)) == Approx(std::sqrt(5.0) / 3 * length(at - from)).epsilon(1e-12));
+  }
+}
+
+TEST_CASE(
+    "beyond flat glass the middle ray is Snell's, the rays seem to come from one point, and equal indices bend none") {
+  const Vec2d eye{0.3, 1.2}, normal{0.2, 2};  // of the face through the origin, towards the eye
+  const Vec2d up = normal / length(normal), along{up.y, -up.x};
+  for (const auto& [n1, n2] : {std::pair{1.0, 1.5}, {1.33, 1.5}, {1.5, 1.33}, {1.0, 1.0}, {1.4, 1.4}}) {
+    for (const double tangent : {0.0, 0.4, -0.9}) {
+      const double cos_in = 1 / std::sqrt(1 + tangent * tangent), sin_out = n1 / n2 * tangent * cos_in;
+      const double cos_out = std::sqrt(1 - sin_out * sin_out);
+      const FlatRefraction face(normal, n1, n2, cos_in, cos_out);
+      const Vec2d middle = tangent * along - up, snell = sin_out * along - cos_out * up;
+      CAPTURE(n1, n2, tangent);
+      CHECK(cross(face.bent(middle), snell) == Approx(0).margin(1e-15));
+      CHECK(dot(face.bent(middle), snell) > 0);
+      CHECK(face.off(middle) < 1e-15);
+      const Vec2d seems = -face.bent(-eye);
+      for (const double beside : {-0.2, -0.01, 0.01, 0.2}) {
+        const Vec2d direction = middle + beside * along;
+        const Vec2d point = eye - dot(eye, up) / dot(direction, up) * direction;  // on the face
+        CHECK(cross(point - seems, face.bent(direction)) == Approx(0).margin(1e-15));
+        if (n1 == n2) CHECK((face.off(direction) == 0 && face.bent(direction) == direction && seems == eye));
+        // By the angles themselves.
+        const double in = std::atan(tangent + beside), out = std::asin(n1 / n2 * std::sin(in));
+        const double taken = std::atan((tangent + beside) * cos_in / cos_out * n1 / n2);
+        CHECK(face.off(direction) == Approx(std::abs(taken - out)).margin(1e-14));
+        if (n1 != n2 && std::abs(beside) > 0.1) CHECK(face.off(direction) > 1e-4);
+      }
     }
   }
 }

@@ -131,6 +131,7 @@ std::string code_of(const State& state) {
   std::string html;
   std::optional<Procedure> open;
   for (const PseudocodeLine& line : state.walk.timeline->pseudocode().lines) {
+    if (!state.walk.timeline->walks(line.line)) continue;
     if (open != line.procedure) {
       html += fmt::format("{}<section><h2>{}</h2><ol>", open ? "</ol></section>" : "",
                           escaped(text(line.procedure, language)));

@@ -60,7 +60,7 @@ CodePanel code_panel(const State& state) {
       box.badge = fill(code.recursive ? "code.depth_badge" : "code.rays_badge", state.appearance.language,
                        {{"number", *box.depth}});
     for (const PseudocodeLine& line : code.lines)
-      if (line.procedure == box.procedure) box.rows.push_back(row_of(state, line));
+      if (line.procedure == box.procedure && timeline.walks(line.line)) box.rows.push_back(row_of(state, line));
   }
   return panel;
 }

@@ -31,10 +31,12 @@ bool concerns(Line line, RayKind kind) {
     case RayKind::beam:
       return line == Line::form_beam || line == Line::cut_beam || line == Line::shade_parts ||
              line == Line::form_mirrored_beam || line == Line::cut_mirrored_beam ||
-             line == Line::shade_mirrored_parts || line == Line::form_cone || line == Line::find_cover ||
-             line == Line::shade_cone || line == Line::form_reflected_cone || line == Line::find_reflected_cover ||
-             line == Line::shade_reflected_cone || line == Line::form_refracted_cone ||
-             line == Line::find_refracted_cover || line == Line::shade_refracted_cone;
+             line == Line::shade_mirrored_parts || line == Line::form_refracted_beam ||
+             line == Line::cut_refracted_beam || line == Line::shade_refracted_parts || line == Line::form_cone ||
+             line == Line::find_cover || line == Line::shade_cone || line == Line::form_reflected_cone ||
+             line == Line::find_reflected_cover || line == Line::shade_reflected_cone ||
+             line == Line::form_refracted_cone || line == Line::find_refracted_cover ||
+             line == Line::shade_refracted_cone;
   }
   return false;
 }
