@@ -109,6 +109,7 @@ struct LessonStep {
   bool breakpoints = true;                      ///< whether the student's breakpoints stop the walk here
   bool extra = false;                           ///< not part of a presenter's five minutes
   bool zoom = false;                            ///< while the plan is in focus, it shows the ray in question large
+  bool pencils = false;                         ///< those of the pixel's rays are drawn where the answer stands
   int line = 0;
 };
 

@@ -266,7 +266,7 @@ class LessonReader {
   LessonStep read_step(const toml::table& table) {
     known(table, "[[step]]",
           {"id", "scene", "set", "remove", "pixel", "fault", "run", "reveal", "predict", "check", "says", "picture",
-           "show", "then", "large", "breakpoints", "extra", "zoom"});
+           "show", "then", "large", "breakpoints", "extra", "zoom", "pencils"});
     LessonStep step;
     step.line = line_of(table);
     step.id = text(table, "id").value_or("");
@@ -283,6 +283,7 @@ class LessonReader {
         yes_or_no(table, "breakpoints", "false: those of the student do not stop the walk").value_or(true);
     step.extra = yes_or_no(table, "extra", "true: the step is not one of a presenter's five minutes").value_or(false);
     step.zoom = yes_or_no(table, "zoom", "true: in Focus the plan shows the ray in question large").value_or(false);
+    step.pencils = yes_or_no(table, "pencils", "true: pencils are drawn once the answer stands there").value_or(false);
     step.pixel = pixel(table);
     step.fault = fault(table);
     step.run = formula(table, "run");

@@ -246,7 +246,7 @@ TEST_CASE("the minutes of a step are those of its words and its question") {
 TEST_CASE("a lesson's file is refused with line and hint") {
   CHECK(faults("[[step]]\nid = \"a\"\nscene = \"classic\"\nrunn = 'true'\n") ==
         "lesson.toml:4: unknown key \"runn\" in [[step]] (expected id, scene, set, remove, pixel, fault, run, reveal, "
-        "predict, check, says, picture, show, then, large, breakpoints, extra or zoom)\n");
+        "predict, check, says, picture, show, then, large, breakpoints, extra, zoom or pencils)\n");
   CHECK_THAT(faults("[[step]]\nid = \"a\"\nscene = \"classic\"\nthen = \"picture\"\n"),
              raywalk::test::contains("lesson.toml:4: then stands without predict (expected both, or show)"));
   CHECK_THAT(faults("[[step]]\nid = \"a\"\nscene = \"classic\"\nthen = \"pictures\"\n"),

@@ -307,6 +307,7 @@ TEST_CASE("what is said in other words in English is translated") {
                                    "SHADE PARTS (DEPTH {depth})",
                                    "Shade parts (DEPTH+1, final)",
                                    "Shade parts (DEPTH+1, REFLSHADE)",
+                                   "Shade parts (DEPTH+1, REFRSHADE)",
                                    "GATHER LIGHT (RTNSHADE)",
                                    "Gather light (final)",
                                    "SHOOT LIGHT (PATCH)",

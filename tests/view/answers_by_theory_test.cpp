@@ -112,6 +112,7 @@ constexpr std::array theory{
     Theory{"18-rays-with-width", "left", "0.12"},  // 0.71 times 0.17
     Theory{"18-rays-with-width", "lamp", "0.4"},   // of its width, at the ball
     Theory{"18-rays-with-width", "spread", "1"},
+    Theory{"18-rays-with-width", "fold", "2.25"},  // 1 / 4.5 + 1 / 2.25 = 1 / 1.5
 };
 
 /// Numbers that students answer who have not understood: none may pass for right.
@@ -138,6 +139,7 @@ constexpr std::array usual_mistakes{
     Theory{"18-rays-with-width", "coverage", "0.25"},         // a part of four
     Theory{"18-rays-with-width", "left", "0.17"},             // as if nothing were before it
     Theory{"18-rays-with-width", "lamp", "0"},                // as a point would see it
+    Theory{"18-rays-with-width", "fold", "1.5"},              // as if EYE were endlessly far away
 };
 
 void give_answer(State& state, const char* said) {

@@ -4,9 +4,11 @@
 #include <cmath>
 
 #include "fixtures.h"
+#include "io/scene_file.h"
 #include "support/catch.h"
 #include "view/plan/plan_geometry.h"
 #include "view/text/text.h"
+#include "view/walk/equation.h"
 #include "view/walk/walk.h"
 
 using namespace raywalk;
@@ -64,6 +66,44 @@ TEST_CASE("a stroke stands where the rays above and below a pencil's meet") {
     strokes += straight_lines_in(without) < straight_lines_in(state);
   }
   CHECK(strokes > 3);
+}
+
+TEST_CASE("while pencils are shown, the equation of a ray that is formed has its matrix and where that folds") {
+  const auto read = read_scene(RAYWALK_SOURCE_DIR "/scenes/pencils.toml");
+  REQUIRE(read);
+  State state = state_of(read->scene);
+  update(state, action::SetMode{Mode::trace});
+  const auto rows = [&] { return equation_panel(state).rows; };
+  int folds = 0;
+  for (int at = position_after<RayFormed>(*state.walk.timeline); at > 0;
+       at = position_after<RayFormed>(*state.walk.timeline, at)) {
+    update(state, action::ShowPencils{false});
+    update(state, action::Jump{at});
+    const std::size_t without = rows().size();
+    update(state, action::ShowPencils{true});
+    const int ray = state.walk.timeline->current_ray(at);
+    const auto pencil = std::find_if(state.pencil.pencils.begin(), state.pencil.pencils.end(),
+                                     [&](const Pencil& each) { return each.ray == ray; });
+    if (pencil == state.pencil.pencils.end()) {
+      CHECK(rows().size() == without);
+      continue;
+    }
+    const std::vector<EquationRow> all = rows();
+    const bool bent = pencil->stages.size() > 1;
+    REQUIRE(all.size() == without + (bent ? 4 : 3));
+    const std::vector<double>&first = all[without + 1].values, &second = all[without + 2].values;
+    CHECK(std::abs(first[0] * second[1] - first[1] * second[0]) ==
+          Approx(pencil->stages.front().n / pencil->stages.back().n).epsilon(1e-9));
+    if (bent) CHECK(all.back().values == std::vector<double>{-first[1] / second[1]});
+    if (pencil->stages.size() != 3) continue;
+    // Beyond the ball rays near the axis meet in EYE's image, those farther off before it.
+    const PencilStage& stage = pencil->stages.back();
+    const double meets = (stage.origin + all.back().values[0] * stage.direction).x;
+    CHECK(meets < 2.25 + 1e-9);
+    if (std::abs(stage.origin.y) < 1e-9) CHECK(meets == Approx(2.25).epsilon(1e-9));
+    ++folds;
+  }
+  CHECK(folds == 9);
 }
 
 TEST_CASE("what a pencil says of itself is what the true rays do") {

@@ -129,6 +129,7 @@ void stage(State& state) {
   show_beside(state, step.step->pane);
   if (step.step->pane == LessonBeside::microscope)
     state.microscope.magnified = 0.42;  // in double, where a millionth of a scene unit is seen
+  if (step.step->pencils) state.pencil.shown = !step.step->question;
   go_to(state, step.asked);
 }
 
@@ -307,6 +308,7 @@ void action::RevealLesson::apply(State& state) const {
   if (state.walk.timeline->current_pixel(step.shown) != state.walk.timeline->current_pixel(step.asked))
     sitting.first_pixel = 0;
   show_beside(state, step.step->then);
+  if (step.step->pencils) state.pencil.shown = true;
   go_to(state, step.shown);
 }
 

@@ -40,6 +40,7 @@ class EquationWriter {
     event_ = event;
     panel_.title = text(event->line, state_.appearance.code_language());
     std::visit([&](const auto& detail) { write(detail); }, event->detail);
+    if (const auto* formed = std::get_if<RayFormed>(&event->detail); formed != nullptr) write_pencil();
     return std::move(panel_);
   }
 
@@ -433,6 +434,22 @@ class EquationWriter {
       light(Kind::term, looked.emission, "Le =");
     }
     light(Kind::total, looked.shade, "=");
+  }
+
+  // ---- Pencils
+
+  /// While they are shown: where a ray of EYE starts beside the one just formed, y, and how it slopes against it, s.
+  void write_pencil() {
+    const int ray = timeline_.current_ray(state_.walk.position);
+    for (const Pencil& pencil : state_.pencil.pencils) {
+      if (pencil.ray != ray) continue;
+      const PencilStage& stage = pencil.stages.back();
+      const PencilMatrix& m = stage.start;
+      row(Kind::formula, "y′ = a y + b s,  s′ = c y + d s");
+      row(Kind::numbers, "a = ", m.a, "  b = ", m.b);
+      row(Kind::numbers, "c = ", m.c, "  d = ", m.d);
+      if (stage.focus && pencil.stages.size() > 1) row(Kind::total, "f = −b / d = ", *stage.focus);
+    }
   }
 
   // ---- Beam and cone tracing
