@@ -134,7 +134,7 @@ bool UnfoldedPlan::has_another_upon(int outline) const {
   };
   const auto range = [&](const Outline& of, const Vec2d& along) {
     const auto& side = std::get<OutlineSide>(of.shape);
-    return std::minmax(dot(along, side.from), dot(along, side.to));
+    return std::minmax({dot(along, side.from), dot(along, side.to)});
   };
   for (std::size_t i = 0; i < seen_.size(); ++i) {
     const Seen& other = seen_[i];
