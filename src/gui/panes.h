@@ -9,7 +9,6 @@
 #include <any>
 #include <cstdint>
 #include <map>
-#include <typeindex>
 
 namespace raywalk {
 
@@ -139,13 +138,15 @@ class TabMemory {
  public:
   template <class Kept>
   Kept& of() {
-    std::any& kept = kept_[typeid(Kept)];
+    std::any& kept = kept_[&type<Kept>];
     if (!kept.has_value()) kept.emplace<Kept>();
     return *std::any_cast<Kept>(&kept);
   }
 
  private:
-  std::map<std::type_index, std::any> kept_;
+  template <class Kept>
+  static constexpr char type = 0;  ///< its address stands for the type
+  std::map<const char*, std::any> kept_;
 };
 /// The ray that a tree last scrolled to.
 struct CentredOn {

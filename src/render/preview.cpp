@@ -10,6 +10,7 @@
 #include <cmath>
 #include <iterator>
 #include <mutex>
+#include <type_traits>
 #include <utility>
 
 namespace raywalk {
@@ -323,8 +324,9 @@ Statistics Preview::statistics() const { return work_ ? work_->statistics() : St
 template <class T>
 const Film<T>& Preview::film() const {
   static const Film<T> none;
-  const auto* work = dynamic_cast<const WorkIn<T>*>(work_.get());
-  return work ? work->film() : none;
+  constexpr Precision own = std::is_same_v<T, float> ? Precision::float_ : Precision::double_;
+  if (!work_ || work_->settings().precision != own) return none;
+  return static_cast<const WorkIn<T>&>(*work_).film();
 }
 
 template const Film<float>& Preview::film<float>() const;

@@ -21,20 +21,6 @@ namespace detail {
 /// Of an angle to a normal: what is less runs along the face.
 inline constexpr double least_cosine = 1e-6;
 
-/// In the place of a checker: the mean of its squares, if `all`.
-struct MeanOfSquares {
-  const World<double>& world;
-  bool all;
-
-  [[nodiscard]] bool filters(const World<double>::Surface& /*surface*/) const { return all; }
-  void arrive(const Vec3d& /*direction*/, const Hit<double>& /*hit*/, const SurfacePoint<double>& /*point*/,
-              double /*time*/, const Vec3d& /*shading_normal*/) {}
-  [[nodiscard]] Rgbd pattern(const Hit<double>& hit, const SurfacePoint<double>& /*point*/, double /*time*/) const {
-    const auto& checker = *world.surface(hit.primitive).checker;
-    return (checker.even + checker.odd) / 2.0;
-  }
-};
-
 }  // namespace detail
 
 template <class Watcher>
@@ -109,7 +95,7 @@ void BeamTracer<Watcher>::meet(Part& part, const Beam& beam, const Place& place)
   const Hit<double> hit{length(end - part.ray.origin), primitives_[static_cast<std::size_t>(part.object)],
                         outlines_[index].part};
   const detail::MiddleOfPart<double> middle{part.ray, part.number, beam.medium};
-  detail::MeanOfSquares mean{world_, part.has_mean};
+  detail::PatternOfPart<double> mean{world_, part.has_mean};
   part.at = prepare_vertex<AllEffects>(world_, nested_, middle, hit, statistics_, mean);
   part.ambient = part.at->values().ambient;
   // Neither along the face nor where two bodies touch, of which the beam would meet one.

@@ -41,6 +41,21 @@ struct MiddleOfPart {
   Rgb<T> throughput{1};
 };
 
+/// The pattern of a part, which may be the mean of a checker's squares.
+template <class T>
+struct PatternOfPart {
+  const World<T>& world;
+  bool has_mean;
+
+  [[nodiscard]] bool filters(const typename World<T>::Surface& /*surface*/) const { return has_mean; }
+  void arrive(const Vec3<T>& /*direction*/, const Hit<T>& /*hit*/, const SurfacePoint<T>& /*point*/, T /*time*/,
+              const Vec3<T>& /*shading_normal*/) {}
+  [[nodiscard]] Rgb<T> pattern(const Hit<T>& hit, const SurfacePoint<T>& /*point*/, T /*time*/) const {
+    const auto& checker = *world.surface(hit.primitive).checker;
+    return (checker.even + checker.odd) / T(2);
+  }
+};
+
 /// The limit that keeps what is as wide as a part, or a ray from its middle, from being followed.
 template <class T>
 [[nodiscard]] std::optional<Ending> why_not_followed(const World<T>& world, int depth, const Rgb<T>& throughput) {

@@ -11,25 +11,6 @@
 
 namespace raywalk {
 
-namespace detail {
-
-/// The pattern of a part, which may be the mean of a checker's squares.
-template <class T>
-struct PatternOfPart {
-  const World<T>& world;
-  bool has_mean;
-
-  [[nodiscard]] bool filters(const typename World<T>::Surface& /*surface*/) const { return has_mean; }
-  void arrive(const Vec3<T>& /*direction*/, const Hit<T>& /*hit*/, const SurfacePoint<T>& /*point*/, T /*time*/,
-              const Vec3<T>& /*shading_normal*/) {}
-  [[nodiscard]] Rgb<T> pattern(const Hit<T>& hit, const SurfacePoint<T>& /*point*/, T /*time*/) const {
-    const auto& checker = *world.surface(hit.primitive).checker;
-    return (checker.even + checker.odd) / T(2);
-  }
-};
-
-}  // namespace detail
-
 template <class T, class Watcher>
 SpaceBeamTracer<T, Watcher>::SpaceBeamTracer(const World<T>& world, const BeamFaces& faces,
                                              const RayGenerator<T>& camera, Observer& observer, const Stop& stop)
