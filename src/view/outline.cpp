@@ -125,6 +125,7 @@ class Outliner {
     paragraphs(region, "presenter", panel.presenter);
     paragraphs(region, "teacher", panel.teacher);
     add(region, Role::text, "score", panel.unanswered.empty() ? panel.score : panel.unanswered);
+    if (panel.asks == Asks::line) mend(region);
     if (panel.astray) button(region, "return", say("lesson.back_to_question"), action::GoToLessonStep{panel.step - 1});
     if (panel.asks != Asks::nothing && !state_.lessons.revealed) {
       button(region, "answer", say("lesson.reveal"), action::RevealLesson{}, panel.can_reveal);
@@ -152,6 +153,11 @@ class Outliner {
       if (row.end == BugEnd::given_up) name += ": " + say("bug.given_up");
       button(region, std::to_string(row.number), name, action::HuntBug{row.number});
     }
+    if (panel.can_give_up) {
+      button(region, "judge", say("bug.judge"), action::JudgeLine{}, panel.can_judge);
+      button(region, "cure", say("bug.give_up"), action::ShowCure{});
+    }
+    mend(region);
     if (panel.hunting) button(region, "list", say("bug.all_bugs"), action::LeaveHunt{});
     button(region, "leave", say("bug.leave"), action::ShowBugs{false});
   }
@@ -305,6 +311,13 @@ class Outliner {
       text.remove_prefix(std::min(text.find_first_not_of('\n', end), text.size()));
     }
   }
+  /// Once the bug is known.
+  void mend(OutlineItem& region) {
+    if (!state_.walk.bug || !state_.walk.bug->known) return;
+    const bool mended = state_.walk.bug->mended;
+    button(region, "mend", say(mended ? "bug.break_again" : "bug.mend"), action::MendBug{!mended});
+  }
+
   static void passages(OutlineItem& parent, const std::string& key, const std::vector<BugPassage>& all) {
     for (std::size_t i = 0; i < all.size(); ++i)
       paragraphs(parent, fmt::format("{}-{}", key, i),

@@ -242,6 +242,31 @@ TEST_CASE("the name that a dialog offers can be taken as it is") {
   CHECK(named(state, Role::path, "File")->value == "glass.toml");
 }
 
+TEST_CASE("a bug is hunted, found, fixed and broken again by the outline") {
+  State state = state_with_lessons();
+  update(state, action::ShowBugs{true});
+  use(state, Role::button, "Bug 2");
+  REQUIRE(state.bugs.hunt);
+  CHECK_FALSE(named(state, Role::button, "Is it this line?")->enabled);
+  CHECK_FALSE(named(state, Role::button, "Fix the bug"));
+  use(state, Role::button, "Mark “Form shadow ray”");
+  use(state, Role::button, "Is it this line?");
+  CHECK(state.bugs.hunt->end == BugEnd::open);
+  use(state, Role::button, "Mark “Form reflect ray”");
+  use(state, Role::button, "Is it this line?");
+  CHECK(state.bugs.hunt->end == BugEnd::found);
+  CHECK_FALSE(named(state, Role::button, "Show the fix"));
+  use(state, Role::button, "Fix the bug");
+  CHECK(state.walk.bug->mended);
+  use(state, Role::button, "Break it again");
+  CHECK_FALSE(state.walk.bug->mended);
+  CHECK(faults(outline(state)) == "");
+  use(state, Role::button, "All bugs");
+  use(state, Role::button, "Bug 3");
+  use(state, Role::button, "Show the fix");
+  CHECK(state.bugs.hunt->end == BugEnd::given_up);
+}
+
 TEST_CASE("predictions are made by the outline") {
   State state = classic_state();
   update(state, action::SetPredictions{true});
