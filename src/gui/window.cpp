@@ -334,6 +334,9 @@ void Window::begin_frame(bool with_pointer) {
     std::fill(std::begin(io.MouseDown), std::end(io.MouseDown), false);
 #endif
   }
+  // Circles are of lines that leave them by so many of the window's units: less where the screen's pixels are smaller.
+  constexpr float of_a_pixel = 0.3f;
+  ImGui::GetStyle().CircleTessellationMaxError = of_a_pixel / std::max(ImGui::GetIO().DisplayFramebufferScale.x, 1.0f);
   ImGui::NewFrame();
 }
 
