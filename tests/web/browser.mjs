@@ -1,9 +1,11 @@
 // A browser without a window on the page, and the page's own report of what it shows. Chromium, or Firefox where
 // RAYWALK_BROWSER says so; Firefox draws with WebGL only on a display (run.sh gives it one that nobody sees).
+import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { existsSync, mkdirSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import { inflateSync } from 'node:zlib';
 import puppeteer from 'puppeteer-core';
 
 export const build = process.env.RAYWALK_BUILD;
@@ -27,6 +29,11 @@ export const open_browser = (preferences = {}, firefox = is_firefox) => puppetee
   args: ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update',
     '--disable-sync', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
 });
+
+// What makes open_browser's Firefox save into a folder without a question; Chromium is told by a visit (saves_into).
+export const saving_into = (folder) => ({ 'browser.download.dir': folder, 'browser.download.folderList': 2,
+  'browser.download.useDownloadDir': true, 'browser.download.alwaysOpenPanel': false,
+  'browser.helperApps.neverAsk.saveToDisk': 'application/octet-stream,text/html,text/plain,application/json,image/png,image/gif,image/svg+xml' });
 
 // The site as any static host gives it: its address and how to end it.
 export function serve() {
@@ -52,6 +59,88 @@ export async function work_of(page, act) {
     event.tdur !== undefined).map(({ tdur }) => tdur / 1000);
   const frames = taken('FireAnimationFrame');
   return { frames, longest: Math.max(...taken('FireAnimationFrame', 'FunctionCall', 'EventDispatch', 'TimerFire')) };
+}
+
+// What the program says in a language, by its key in src/text: word('es', 'lesson.reveal'). Names in braces are any.
+export function word(language, key) {
+  const [, section, name] = /^(.*)\.(.*)$/.exec(key);
+  const text = readFileSync(join(process.env.RAYWALK_SOURCE_DIR, `src/text/${language}.toml`), 'utf8');
+  const within = text.split(`\n[${section}]\n`)[1].split(/\n\[/)[0];
+  return new RegExp(`^${name} = "(.*)"$`, 'm').exec(within)[1];
+}
+
+// What assistive technology is told: every node with its role and name. Firefox's protocol does not offer its tree: there
+// what the page's elements say.
+export async function spoken(page) {
+  const nodes = [];
+  if (is_firefox)
+    return page.$$eval('#mirror :is(h1, h2, h3, p, span, button, label)', (all) => all.map((each) => ({ name: each.textContent,
+      role: { H: 'heading', L: 'textbox' }[each.tagName[0]] ?? each.tagName.toLowerCase() })));
+  const gather = (node) => {
+    nodes.push(node);
+    (node.children ?? []).forEach(gather);
+  };
+  gather(await page.accessibility.snapshot({ interestingOnly: false }));
+  return nodes;
+}
+
+// Presses what has this role and name, or types into it, as a screen reader does: by its place in the tree, not on the screen.
+export async function use(page, role, name, typed) {
+  const quoted = name.replace(/ +/g, ' ').replaceAll('"', '\\"');
+  const element = await page.waitForSelector(`aria/${quoted}[role="${role}"]`, { timeout: 60000 });
+  if (typed === undefined) return element.evaluate((it) => it.click());
+  await element.focus();
+  await page.keyboard.type(typed);
+  await page.keyboard.press('Enter');
+}
+
+// Goes on by Tab, with Shift back, until the focus is on what says this.
+export async function tab_to(page, name, back = false) {
+  const seen = [];
+  if (back) await page.keyboard.down('Shift');
+  try {
+    for (let i = 0; i < 400; ++i) {
+      await page.keyboard.press('Tab');
+      const now = await page.evaluate(() => {
+        const at = document.activeElement;
+        return at.labels?.[0]?.textContent ?? (at.tagName === 'CANVAS' ? 'canvas' : at.textContent);
+      });
+      if (now.startsWith(name)) return now;
+      seen.push(now);
+    }
+  } finally {
+    if (back) await page.keyboard.up('Shift');
+  }
+  throw new Error(`Tab never comes to ${name}, only to ${[...new Set(seen)].join(' | ')}`);
+}
+
+// The width and height of a PNG of a browser's, and the colours of its pixels, four bytes each.
+export function pixels_of(png) {
+  const width = png.readUInt32BE(16), height = png.readUInt32BE(20), channels = { 2: 3, 6: 4 }[png[25]], parts = [];
+  assert.ok(channels && png[24] === 8 && png[28] === 0, 'a picture of bytes, not interlaced');
+  for (let at = 8; at < png.length;) {
+    const length = png.readUInt32BE(at);
+    if (png.toString('latin1', at + 4, at + 8) === 'IDAT') parts.push(png.subarray(at + 8, at + 8 + length));
+    at += length + 12;
+  }
+  const packed = inflateSync(Buffer.concat(parts)), row = width * channels, data = Buffer.alloc(width * height * 4, 255);
+  let above = new Uint8Array(row);
+  for (let y = 0; y < height; ++y) {
+    const filter = packed[y * (row + 1)], now = packed.subarray(y * (row + 1) + 1, (y + 1) * (row + 1));
+    for (let i = 0; i < row; ++i) {
+      const left = i < channels ? 0 : now[i - channels], up = above[i], corner = i < channels ? 0 : above[i - channels];
+      if (filter === 1) now[i] += left;
+      else if (filter === 2) now[i] += up;
+      else if (filter === 3) now[i] += (left + up) >> 1;
+      else if (filter === 4) {
+        const p = Math.abs(up - corner), q = Math.abs(left - corner), r = Math.abs(left + up - 2 * corner);
+        now[i] += p <= q && p <= r ? left : q <= r ? up : corner;
+      }
+    }
+    for (let x = 0; x < width; ++x) now.copy(data, 4 * (y * width + x), x * channels, (x + 1) * channels);
+    above = now;
+  }
+  return { width, height, data };
 }
 
 // Does an action, as a demo file has it, in a task of the page's own.
@@ -113,6 +202,13 @@ export class Visit {
     await this.page.keyboard.press('1');
     await this.page.keyboard.up('Shift');
   }
+  // Where this visit's downloads go, in Chromium: Firefox is begun with `saving_into`.
+  async saves_into(folder) {
+    if (is_firefox) return;
+    const session = await this.page.browser().target().createCDPSession();
+    await session.send('Browser.setDownloadBehavior',
+      { behavior: 'allow', downloadPath: folder, browserContextId: this.context.id });
+  }
   copy_link() {
     return this.act('copy-link');
   }
@@ -145,6 +241,10 @@ export class Visit {
     // At once: a finger that rests is something else, and a busy browser passes two requests on slowly.
     this.session ??= is_firefox ? null : await this.page.createCDPSession();
     await Promise.all([this.touch('touchstart', [x, y]), this.touch('touchend')]);
+  }
+  // What the window shows there, in CSS pixels, or all of it.
+  async pixels(clip) {
+    return pixels_of(Buffer.from(await this.page.screenshot(clip ? { clip } : {})));
   }
   // How many parts stand apart from left to right in what is written on an item: about as many as its word has letters.
   async letters_on(item) {
