@@ -133,7 +133,8 @@ void notice_bar(const Ui& ui, const Rect& plan, const Rect& strip) {
   ImGui::PopStyleVar();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::SetCursorScreenPos({at.x, at.y + std::max((edge - extent.y) / 2, 0.0f)});
-  ImGui::PushTextWrapPos(ui.px(16) + text_most + 1);
+  // Broken as it was measured: a word more in a line would stand under the button.
+  ImGui::PushTextWrapPos(ui.px(16) + std::min(extent.x, text_most) + 1);
   label(error ? ui.colours.error : ui.colours.text, words);
   ImGui::PopTextWrapPos();
   ImGui::SetCursorScreenPos({at.x + width - ui.px(28) - edge, at.y});
