@@ -3,12 +3,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <map>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include "lesson_state.h"
@@ -67,11 +70,13 @@ void note_down_all(std::vector<Said>& said, const std::vector<OutlineItem>& item
 }
 
 /// What is read out to whoever cannot see the window, and not said already: all but the lesson, the code, which is the
-/// same in every step, and the things of the plan, which are all there.
+/// same in every step, and what offers whatever there is, all alike: the things of the plan, and what can be chosen.
 void note_down_outline(std::vector<Said>& said, const State& state) {
+  constexpr std::array<std::string_view, 5> elsewhere{"lesson", "code", "plan", "breakpoints", "image-settings"};
   std::vector<Said> read_out;
   for (const OutlineItem& region : outline(state))
-    if (region.key != "lesson" && region.key != "code" && region.key != "plan") note_down_all(read_out, region.items);
+    if (std::find(elsewhere.begin(), elsewhere.end(), region.key) == elsewhere.end())
+      note_down_all(read_out, region.items);
   for (Said& each : read_out)
     if (std::none_of(said.begin(), said.end(), [&](const Said& before) { return before.text == each.text; }))
       said.push_back(std::move(each));
