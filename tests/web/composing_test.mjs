@@ -4,9 +4,6 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Visit, only_in_chromium, open_browser, serve } from './browser.mjs';
 
-// Each state of a composition is typed anew.
-const not_yet = { ...only_in_chromium, todo: 'touch.js types what is composed again with each letter' };
-
 let browser, server;
 before(async () => {
   browser = await open_browser();
@@ -45,7 +42,7 @@ const value_of = (visit, key) => visit.page.evaluate((key) => {
   return find(JSON.parse(window.raywalk.ccall('page_outline', 'string')).items)?.value;
 }, key);
 
-test('a number that is composed answers a question once, and what is given up leaves nothing', not_yet, async () => {
+test('a number that is composed answers a question once, and what is given up leaves nothing', only_in_chromium, async () => {
   const visit = await Visit.begin(browser, server.address, tablet, '&language=en#v=1/lesson=01-ray-casting/at=5');
   await visit.until((now) => now.lesson?.step === 5);
   await into(visit, 'lesson-number');
@@ -62,7 +59,7 @@ test('a number that is composed answers a question once, and what is given up le
   await visit.page.close();
 });
 
-test('a file\'s name with a composed accent is that name', not_yet, async () => {
+test('a file\'s name with a composed accent is that name', only_in_chromium, async () => {
   const visit = await Visit.begin(browser, server.address, tablet);
   await visit.act('ask-save-as');
   await into(visit, 'browser-path');

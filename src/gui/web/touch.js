@@ -112,14 +112,39 @@ class Keyboard {
     this.field.setAttribute('autocapitalize', 'off');
     canvas.after(this.field);
     this.reset();
-    this.field.addEventListener('input', ({ inputType }) => {
-      if (inputType.startsWith('delete')) this.key(8, 'Backspace');
-      else this.type(this.field.value.replaceAll('\u200b', ''));
-      this.reset();
+    this.settle = settle;
+    this.field.addEventListener('input', ({ inputType, isComposing }) => {
+      if (isComposing || this.composed.length > 0) this.compose();
+      else if (inputType.startsWith('delete')) this.key(8, 'Backspace');
+      else this.type(this.own());
+      if (!isComposing) this.reset();
       settle();
     });
+    this.field.addEventListener('compositionend', () => {
+      this.compose();
+      this.reset();
+    });
+  }
+  own() {
+    return this.field.value.replaceAll('\u200b', '');
+  }
+  // Letters that are composed are typed as they stand there, and taken back where others take their place. A key has a
+  // turn of its own: within one the program takes it after the letters, and but once.
+  compose() {
+    const now = [...this.own()];
+    let same = 0;
+    while (same < this.composed.length && this.composed[same] === now[same]) ++same;
+    for (let i = same; i < this.composed.length; ++i) {
+      this.key(8, 'Backspace');
+      this.settle();
+      this.settle();
+    }
+    this.type(now.slice(same).join(''));
+    this.composed = now;
+    this.settle();
   }
   reset() {
+    this.composed = [];
     this.field.value = Keyboard.something;
     this.field.setSelectionRange(2, 2);
   }
