@@ -16,13 +16,15 @@ namespace {
 
 using Role = OutlineItem::Role;
 
-void add_commands(OutlineItem& region, const State& state, Section section) {
+/// A command that opens a dialog leads to the region of its name, which is folded until it is asked for.
+void add_commands(OutlineItem& region, const Outline& all, const State& state, Section section) {
   for (const Command* each : commands_in(section)) {
     OutlineItem button{Role::button, "command-" + std::string(each->name), command_label(*each, state)};
     button.does = "command " + std::string(each->name);
     button.hint = command_hint(*each, state.appearance.language);
     button.enabled = enabled(*each, state);
-    if (each == &command("breakpoints") || each == &command("image-settings")) button.leads_to = each->name;
+    const auto stands_for = [&](const OutlineItem& item) { return item.folded && item.key == each->name; };
+    if (std::any_of(all.begin(), all.end(), stands_for)) button.leads_to = each->name;
     if (each->chosen != nullptr) button.chosen = chosen(*each, state);
     region.items.push_back(std::move(button));
   }
@@ -74,18 +76,18 @@ Outline outline_with_commands(const State& state) {
   const auto region = [&](std::string_view key) -> OutlineItem& {
     return *std::find_if(outlined.begin(), outlined.end(), [&](const OutlineItem& item) { return item.key == key; });
   };
-  add_commands(region("walk"), state, Section::modes);
-  add_commands(region("plan"), state, Section::add);
+  add_commands(region("walk"), outlined, state, Section::modes);
+  add_commands(region("plan"), outlined, state, Section::add);
   for (int i = 0; i < menu_count; ++i) {
     const MenuContents menu = menu_contents(i);
     const bool walks = std::find(menu.sections.begin(), menu.sections.end(), Section::step) != menu.sections.end();
     OutlineItem own{Role::region, "menu-" + std::to_string(i), fill(menu.title, state.appearance.language)};
     own.folded = true;
     for (const Section section : menu.sections) {
-      add_commands(walks ? region("walk") : own, state, section);
+      add_commands(walks ? region("walk") : own, outlined, state, section);
       if (section == Section::style) add_languages(own, state);
     }
-    if (i == menu_count - 1) add_commands(own, state, Section::none);
+    if (i == menu_count - 1) add_commands(own, outlined, state, Section::none);
     if (!own.items.empty()) outlined.push_back(std::move(own));
   }
   return outlined;

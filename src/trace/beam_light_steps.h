@@ -123,8 +123,7 @@ std::vector<Rgbd> BeamTracer<Watcher>::look_of(const Beam& beam, const Part& pie
     const Vec3d to_light = light.direction_to(light.place, at.position);
     const auto ray =
         spawn_ray<Ray<double>>(world_, at.position, at.bsdf.geometric_normal, at.departure, to_light, at.time);
-    const bool faces = dot(at.bsdf.shading_normal, to_light) > 0 || at.surface->lit_from_behind;
-    const bool arrives = faces && light.shines_along(to_light);
+    const bool arrives = !detail::why_unlit(at, light, to_light);
     const bool in_full = arrives && !(light.falloff(normalize(to_light)) < 1);
     look.emplace_back(in_full);
     look.push_back(arrives && world_.occludes
@@ -136,23 +135,27 @@ std::vector<Rgbd> BeamTracer<Watcher>::look_of(const Beam& beam, const Part& pie
 }
 
 template <class Watcher>
+auto BeamTracer<Watcher>::shadow_to(const SurfaceVertex<double>& at, const LightSeen& seen, int number) const
+    -> Shadow {
+  return {spawn_ray<Ray<double>>(world_, at.position, at.bsdf.geometric_normal, at.departure, seen.to_light, at.time),
+          number, at.medium, seen.fan, seen.share};
+}
+
+template <class Watcher>
 auto BeamTracer<Watcher>::form_shadow_ray(int depth, const Part& part, const Beam& beam, const Light& light)
     -> std::optional<Shadow> {
   const SurfaceVertex<double>& at = *part.at;
-  const auto [to_light, fan, share] = seen_of(light, at);
-  const bool faces = dot(at.bsdf.shading_normal, to_light) > 0 || at.surface->lit_from_behind;
+  const LightSeen seen = seen_of(light, at);
+  const Vec3d& to_light = seen.to_light;
   const Rgbd throughput = beam.throughput * part.width() / (beam.end - beam.begin);
-  if (!faces || !light.shines_along(to_light)) {
-    const Ending why = faces ? Ending::outside_cone : Ending::facing_away;
-    ++statistics_.ends(why);
+  if (const auto why = detail::why_unlit(at, light, to_light)) {
+    ++statistics_.ends(*why);
     note(Line::beam_form_shadow_ray, depth, [&] {
-      return RayNotFormed{part.number, RayKind::shadow, why, at.position, to_light, throughput, light.index};
+      return RayNotFormed{part.number, RayKind::shadow, *why, at.position, to_light, throughput, light.index};
     });
     return std::nullopt;
   }
-  const Shadow shadow{
-      spawn_ray<Ray<double>>(world_, at.position, at.bsdf.geometric_normal, at.departure, to_light, at.time),
-      rays_formed_++, at.medium, fan, share};
+  const Shadow shadow = shadow_to(at, seen, rays_formed_++);
   ++statistics_.formed(RayKind::shadow);
   note(Line::beam_form_shadow_ray, depth, [&] {
     RayFormed formed{shadow.number, part.number, RayKind::shadow, shadow.ray.origin,
@@ -172,15 +175,11 @@ Rgbd BeamTracer<Watcher>::shade_beside(int depth, const Part& beside, const Rgbd
   const SurfaceVertex<double>& at = *beside.at;
   Rgbd direct{0.0};
   for (const Light& light : detail::lights_on(world_, beside)) {
-    const auto [to_light, fan, share] = seen_of(light, at);
-    if (!(dot(at.bsdf.shading_normal, to_light) > 0 || at.surface->lit_from_behind)) continue;
-    if (!light.shines_along(to_light)) continue;
-    const Shadow shadow{
-        spawn_ray<Ray<double>>(world_, at.position, at.bsdf.geometric_normal, at.departure, to_light, at.time), 0,
-        at.medium, fan, share};
-    const Rgbd visible = light_through(beside, shadow, light).transmittance;
+    const LightSeen seen = seen_of(light, at);
+    if (detail::why_unlit(at, light, seen.to_light)) continue;
+    const Rgbd visible = light_through(beside, shadow_to(at, seen, 0), light).transmittance;
     if (is_black(visible)) continue;
-    const auto brought = detail::light_on(at, beside.ray, light, to_light, visible);
+    const auto brought = detail::light_on(at, beside.ray, light, seen.to_light, visible);
     direct += brought.diffuse + brought.specular;
   }
   const Rgbd followed =

@@ -189,6 +189,7 @@ class BeamTracer {
   [[nodiscard]] BeamArea area_of(const Beam& beam, const BeamPart& part) const;
   int call_shade_parts(Line line, int depth, const Beam& beam);
   void begin(int depth, const std::vector<Part>& parts, const Part& part);
+  [[nodiscard]] Shadow shadow_to(const SurfaceVertex<double>& at, const LightSeen& seen, int number) const;
   std::optional<Shadow> form_shadow_ray(int depth, const Part& part, const Beam& beam, const Light& light);
   [[nodiscard]] Rgbd shade_beside(int depth, const Part& beside, const Rgbd& mirrored, const Rgbd& beyond);
   Rgbd find_intersection(int depth, const Part& part, const Shadow& shadow, const Light& light);

@@ -18,13 +18,11 @@ auto ConeTracer<T, Watcher, with_maps>::form_shadow_cone(int depth, const Part& 
                                                          const Light& light) -> std::optional<Shadow> {
   const Vertex& at = *part.at;
   const Vec3<T> to_light = light.direction_to(light.place, at.position);
-  const bool faces = dot(at.bsdf.shading_normal, to_light) > 0 || at.surface->lit_from_behind;
   const Rgb<T> throughput = cone.throughput * static_cast<T>(part.share);
-  if (!faces || !light.shines_along(to_light)) {
-    const Ending why = faces ? Ending::outside_cone : Ending::facing_away;
-    ++statistics_.ends(why);
+  if (const auto why = detail::why_unlit(at, light, to_light)) {
+    ++statistics_.ends(*why);
     note(Line::form_shadow_cone, depth, [&] {
-      return RayNotFormed{part.number,     RayKind::shadow,  why,        Vec3d(at.position),
+      return RayNotFormed{part.number,     RayKind::shadow,  *why,       Vec3d(at.position),
                           Vec3d(to_light), Rgbd(throughput), light.index};
     });
     return std::nullopt;

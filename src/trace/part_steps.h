@@ -77,6 +77,22 @@ template <class T>
   return !light.is_delta && !light.is_distant && world.effects.used(Effect::penumbra);
 }
 
+/// Whether light from a direction falls on the side of a place that is seen, or shows through. `to_light`: of any
+/// length.
+template <class T, bool with_maps>
+[[nodiscard]] bool receives(const SurfaceVertex<T, true, with_maps>& at, const Vec3<T>& to_light) {
+  return dot(at.bsdf.shading_normal, to_light) > 0 || at.surface->lit_from_behind;
+}
+
+/// Why nothing of a light comes to a place from a direction, whatever stands between.
+template <class T, bool with_maps>
+[[nodiscard]] std::optional<Ending> why_unlit(const SurfaceVertex<T, true, with_maps>& at,
+                                              const typename World<T>::Light& light, const Vec3<T>& to_light) {
+  if (!receives(at, to_light)) return Ending::facing_away;
+  if (!light.shines_along(to_light)) return Ending::outside_cone;
+  return std::nullopt;
+}
+
 template <class T>
 struct PartLight {
   Rgb<T> diffuse{0}, specular{0};

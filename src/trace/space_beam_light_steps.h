@@ -171,7 +171,7 @@ template <class T, class Watcher>
 Rgb<T> SpaceBeamTracer<T, Watcher>::transmittance(const Part& part, const Light& light, const Vec3<T>& to_light) {
   if (!world_.occludes) return Rgb<T>(1);
   const Vertex& at = *part.at;
-  if (!(dot(at.bsdf.shading_normal, to_light) > 0 || at.surface->lit_from_behind)) return Rgb<T>(0);
+  if (!detail::receives(at, to_light)) return Rgb<T>(0);
   const auto ray = spawn_ray<Ray<T>>(world_, at.position, at.bsdf.geometric_normal, at.departure, to_light, at.time);
   return shadow_transmittance(world_, ray, light.t_far(), statistics_.tests, filters_met_, {}, at.medium)
       .value_or(Rgb<T>(0));
@@ -187,8 +187,7 @@ void SpaceBeamTracer<T, Watcher>::add_light(DirectLighting& direct, const Part& 
                                             const std::vector<Arriving>& arriving) {
   detail::PartLight<T> brought;
   for (const Arriving& from : arriving) {
-    const bool faces = dot(part.at->bsdf.shading_normal, from.to_light) > 0 || part.at->surface->lit_from_behind;
-    if (!faces || is_black(from.share)) continue;
+    if (!detail::receives(*part.at, from.to_light) || is_black(from.share)) continue;
     const auto one = detail::light_on(*part.at, part.ray, light, from.to_light, from.share);
     brought.diffuse += one.diffuse, brought.specular += one.specular;
   }

@@ -32,7 +32,7 @@ void outline_breakpoints(const State& state, OutlineItem& region) {
   const auto say = [&](std::string_view id) { return std::string(text(id, language)); };
   if (breakpoints_in_force(state) != state.walk.breakpoints) add(region, Role::warning, "off", say("breakpoints.off"));
   const action::StopAt now = stops_chosen(state);
-  const std::string_view total = now.total_internal_reflection ? "on" : "off";
+  const std::string_view total = now.total_internal_reflection ? on_or_off.yes : on_or_off.no;
   field(region, Role::number, "depth", say("breakpoints.at_depth"),
         fmt::format("stop-at {{}} {} {} {}", now.pixel, total, now.object), std::to_string(now.depth));
   field(region, Role::number, "pixel", say("breakpoints.at_pixel"),

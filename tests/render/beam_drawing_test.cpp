@@ -4,6 +4,7 @@
 
 #include "trace/beam_scene.h"
 #include "trace/space_beam_kernel.h"
+#include "trace/window_places.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +14,7 @@
 #include "support/catch.h"
 
 using namespace raywalk;
+using raywalk::test::inside_by;
 
 namespace {
 
@@ -99,16 +101,10 @@ double area_of_all(const std::vector<Painted>& all) {
   return sum;
 }
 
-bool holds(const WindowPiece& corners, const Vec2d& place) {
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    if (cross(corners[(i + 1) % corners.size()] - corners[i], place - corners[i]) < 0) return false;
-  return true;
-}
-
 /// What the last of those that lie there shows.
 Rgbd colour_at(const std::vector<Painted>& all, const Vec2d& place) {
   const auto last =
-      std::find_if(all.rbegin(), all.rend(), [&](const Painted& one) { return holds(one.corners, place); });
+      std::find_if(all.rbegin(), all.rend(), [&](const Painted& one) { return inside_by(one.corners, place) >= 0; });
   REQUIRE(last != all.rend());
   return last->colour;
 }

@@ -5,6 +5,7 @@ import { spawn } from 'node:child_process';
 import { existsSync, mkdirSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import { after, before } from 'node:test';
 import { inflateSync } from 'node:zlib';
 import puppeteer from 'puppeteer-core';
 
@@ -41,6 +42,19 @@ export function serve() {
   return new Promise((resolve, reject) => {
     server.stdout.on('data', (text) => resolve({ address: /http:\S+/.exec(text)[0], end: () => server.kill() }));
     server.on('exit', reject);
+  });
+}
+
+// A browser and a site, for all tests of a file.
+export let browser, server;
+export function open_for_tests(preferences) {
+  before(async () => {
+    browser = await open_browser(preferences);
+    server = await serve();
+  });
+  after(async () => {
+    await browser?.close();
+    server?.end();
   });
 }
 

@@ -1,20 +1,12 @@
 // Letters that are composed before they are typed, as the keyboards of telephones do with every word, and those of many
 // languages: they come into a field of the program's once, as they are at last.
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
-import { Visit, only_in_chromium, open_browser, serve } from './browser.mjs';
+import { test } from 'node:test';
+import { setTimeout as pause } from 'node:timers/promises';
+import { Visit, browser, only_in_chromium, open_for_tests, server } from './browser.mjs';
 
-let browser, server;
-before(async () => {
-  browser = await open_browser();
-  server = await serve();
-});
-after(async () => {
-  await browser?.close();
-  server?.end();
-});
+open_for_tests();
 
-const pause = (milliseconds) => new Promise((again) => setTimeout(again, milliseconds));
 const tablet = { width: 768, height: 1024, hasTouch: true };
 
 // Begins to type into a field by a finger.

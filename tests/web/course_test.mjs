@@ -1,18 +1,10 @@
 // The example of a course page, as a teacher would put it beside the site: its frame walks, its buttons lead, its lines tell.
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
-import { after, before, test } from 'node:test';
-import { act_in, open_browser, pictures, serve } from './browser.mjs';
+import { test } from 'node:test';
+import { act_in, browser, open_for_tests, pictures, server } from './browser.mjs';
 
-let browser, server;
-before(async () => {
-  browser = await open_browser();
-  server = await serve();
-});
-after(async () => {
-  await browser?.close();
-  server?.end();
-});
+open_for_tests();
 
 test('the example course page shows the walk in its frame, leads it by its buttons, and counts predictions', async () => {
   const page = await browser.newPage(), complaints = [];

@@ -3,12 +3,11 @@ import assert from 'node:assert/strict';
 import { createServer } from 'node:http';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { open_browser, pictures, serve } from './browser.mjs';
+import { browser, open_for_tests, pictures, server } from './browser.mjs';
 
-let browser, server, course;
+let course;
+open_for_tests();
 before(async () => {
-  browser = await open_browser();
-  server = await serve();
   // A course page of another origin.
   course = createServer((request, response) => {
     const { searchParams } = new URL(request.url, 'http://localhost');
@@ -23,11 +22,7 @@ before(async () => {
   });
   await new Promise((listening) => course.listen(0, '127.0.0.1', listening));
 });
-after(async () => {
-  await browser?.close();
-  server?.end();
-  course?.close();
-});
+after(() => course?.close());
 
 class Course {
   static async begin(query, sandbox) {

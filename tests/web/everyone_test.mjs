@@ -4,19 +4,10 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { join } from 'node:path';
-import { after, before, test } from 'node:test';
-import { Visit, is_firefox, open_browser, pictures, serve } from './browser.mjs';
+import { test } from 'node:test';
+import { Visit, browser, is_firefox, open_browser, open_for_tests, pictures, server } from './browser.mjs';
 
-let browser, server;
-
-before(async () => {
-  browser = await open_browser();
-  server = await serve();
-});
-after(async () => {
-  await browser?.close();
-  server?.end();
-});
+open_for_tests();
 
 const open_as_text = 'Show as text, for screen readers and keyboards';
 const lesson_1 = (report) => report.lesson?.open === '01-ray-casting' ? report.lesson : { step: 0 };

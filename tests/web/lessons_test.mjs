@@ -4,22 +4,14 @@
 import assert from 'node:assert/strict';
 import { readdirSync } from 'node:fs';
 import { join } from 'node:path';
-import { after, before, test } from 'node:test';
-import { Visit, is_firefox, open_browser, serve, spoken, tab_to, use, word } from './browser.mjs';
+import { test } from 'node:test';
+import { setTimeout as pause } from 'node:timers/promises';
+import { Visit, browser, is_firefox, open_for_tests, server, spoken, tab_to, use, word } from './browser.mjs';
 
-let browser, server;
-before(async () => {
-  browser = await open_browser();
-  server = await serve();
-});
-after(async () => {
-  await browser?.close();
-  server?.end();
-});
+open_for_tests();
 
 const lessons = readdirSync(join(process.env.RAYWALK_SOURCE_DIR, 'lessons')).filter((name) => /^\d\d-/.test(name)).sort();
 const languages = ['en', 'es', 'pt'];
-const pause = (milliseconds) => new Promise((again) => setTimeout(again, milliseconds));
 const middle = ([x, y, width, height]) => [x + width / 2, y + height / 2];
 
 // As who reads it knows: what is asked for, by the window in words.

@@ -2,19 +2,11 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { after, before, test } from 'node:test';
+import { test } from 'node:test';
 import { pathToFileURL } from 'node:url';
-import { Visit, is_firefox, open_browser, pictures, serve, site } from './browser.mjs';
+import { Visit, browser, is_firefox, open_browser, open_for_tests, pictures, server, site } from './browser.mjs';
 
-let browser, server;
-before(async () => {
-  browser = await open_browser();
-  server = await serve();
-});
-after(async () => {
-  await browser?.close();
-  server?.end();
-});
+open_for_tests();
 
 const go_to = (visit, hash) => visit.page.evaluate((to) => { location.hash = to; }, hash);
 

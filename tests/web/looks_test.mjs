@@ -3,18 +3,10 @@
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { after, before, test } from 'node:test';
-import { Visit, is_firefox, open_browser, pictures, pixels_of, serve } from './browser.mjs';
+import { test } from 'node:test';
+import { Visit, browser, is_firefox, open_for_tests, pictures, pixels_of, server } from './browser.mjs';
 
-let browser, server;
-before(async () => {
-  browser = await open_browser();
-  server = await serve();
-});
-after(async () => {
-  await browser?.close();
-  server?.end();
-});
+open_for_tests();
 
 const theme_source = readFileSync(join(process.env.RAYWALK_SOURCE_DIR, 'src/view/drawing/theme.cpp'), 'utf8');
 const colour_of = (theme, name) => new RegExp(`Palette ${theme}_palette\\{[^;]*?\\.${name} = \\{([^}]*)\\}`).exec(theme_source)[1].split(',').map(Number);

@@ -3,23 +3,13 @@ import assert from 'node:assert/strict';
 import { mkdtempSync, readFileSync, rmSync, statSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { after, before, test } from 'node:test';
+import { after, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
-import { Visit, is_firefox, only_in_chromium, open_browser, pictures, serve, site } from './browser.mjs';
+import { Visit, browser, is_firefox, only_in_chromium, open_for_tests, pictures, saving_into, server, site } from './browser.mjs';
 
-let browser, server;
 const downloads = mkdtempSync(join(tmpdir(), 'raywalk-downloads-'));
-
-before(async () => {
-  browser = await open_browser({ 'browser.download.dir': downloads, 'browser.download.folderList': 2,
-    'browser.download.useDownloadDir': true, 'browser.helperApps.neverAsk.saveToDisk': 'application/octet-stream' });
-  server = await serve();
-});
-after(async () => {
-  await browser?.close();
-  server?.end();
-  rmSync(downloads, { recursive: true });
-});
+open_for_tests(saving_into(downloads));
+after(() => rmSync(downloads, { recursive: true }));
 
 const image_done = (report) => report.image.finished;
 

@@ -1,20 +1,12 @@
 // The short set: the page starts and steps, a lesson's step, a link, and the bits of five scenes.
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
-import { Visit, open_browser, serve } from './browser.mjs';
+import { test } from 'node:test';
+import { Visit, browser, open_for_tests, server } from './browser.mjs';
 import { five_in } from './pictures.mjs';
 
 five_in('double');
 
-let browser, server;
-before(async () => {
-  browser = await open_browser();
-  server = await serve();
-});
-after(async () => {
-  await browser?.close();
-  server?.end();
-});
+open_for_tests();
 
 test('the page starts, and STEP steps', async () => {
   const visit = await Visit.begin(browser, server.address);

@@ -6,6 +6,7 @@ import { existsSync, readdirSync, writeFileSync } from 'node:fs';
 import { createServer } from 'node:net';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
+import { setTimeout as pause } from 'node:timers/promises';
 import { pictures, pixels_of, serve } from './browser.mjs';
 
 const libraries = '/usr/lib/x86_64-linux-gnu';
@@ -14,7 +15,6 @@ const browser = existsSync(libraries) && readdirSync(libraries).filter((name) =>
 const driver_file = ['/usr/bin/WebKitWebDriver'].find(existsSync);
 const with_webkit = { skip: !(browser && driver_file) && 'WebKitGTK\'s driver is not installed' };
 
-const pause = (milliseconds) => new Promise((again) => setTimeout(again, milliseconds));
 const free_port = () => new Promise((found) => {
   const server = createServer().listen(0, '127.0.0.1', () => {
     const { port } = server.address();

@@ -1,19 +1,11 @@
 // The 3-D picture is made beside the page: nobody waits for it, an edit ends it, and its bits do not depend on who made it.
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
-import { after, before, test } from 'node:test';
+import { test } from 'node:test';
 import { pathToFileURL } from 'node:url';
-import { Visit, only_in_chromium, open_browser, serve, site, work_of } from './browser.mjs';
+import { Visit, browser, only_in_chromium, open_for_tests, server, site, work_of } from './browser.mjs';
 
-let browser, server;
-before(async () => {
-  browser = await open_browser();
-  server = await serve();
-});
-after(async () => {
-  await browser?.close();
-  server?.end();
-});
+open_for_tests();
 
 const workers = (visit) => visit.page.evaluate(() => window.raywalk.workers.count());
 async function steps(visit, count) {
