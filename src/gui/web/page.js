@@ -40,7 +40,8 @@ function end(id, why) {
   if (failed) return;
   failed = true;
   running = false;
-  say(id, [our_words()[database ? 'kept' : 'not_kept'], why].join('\n'));
+  const left = program ? [our_words()[database ? 'kept' : 'not_kept']] : []; // nobody has made anything before
+  say(id, [...left, why].join('\n'));
   if (program) keep();
 }
 
