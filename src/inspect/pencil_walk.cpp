@@ -18,13 +18,6 @@ Vec3d left_of(const Vec3d& direction) { return {-direction.y, direction.x, 0}; }
 
 const Vec3d up(0, 0, 1);
 
-/// What a surface turns the outward normal by, per length along it this way.
-double curvature_along(const Vec3d& along, const World<double>& world, const SurfaceHit<double>& surface) {
-  const Vec3d turn = world.accelerator.primitives().normal_derivative(surface.hit.primitive, surface.point,
-                                                                      surface.hit.part, 0, along);
-  return dot(turn, along);
-}
-
 }  // namespace
 
 std::vector<PencilStage> pencil_of(const World<double>& world, const RayGenerator<double>& camera,
@@ -50,30 +43,25 @@ std::vector<PencilStage> pencil_of(const World<double>& world, const RayGenerato
     if (!stages.empty()) {
       const PencilStage& before = stages.back();
       const auto* formed = std::get_if<RayFormed>(&timeline.event(own.formed_at - 1).detail);
-      const bool entering = dot(left->point.normal, before.direction) <= 0;
-      const Vec3d normal = entering ? left->point.normal : -left->point.normal;
-      const double cos_in = -dot(before.direction, normal);
-      const double side = entering ? 1 : -1, upright = side * curvature_along(up, world, *left);
-      stage.curvature = side * curvature_along(left_of(left->point.normal), world, *left);
+      const PencilSurface surface = pencil_surface(world.accelerator.primitives(), left->hit.primitive, left->hit.part,
+                                                   left->point, time, before.direction);
+      stage.curvature = surface.curvature;
       stage.n = before.n;
-      PencilMatrix bent, bent_across;
+      PencilSystem bent;
       if (own.kind == RayKind::reflect) {
         stage.reflected = true;
         // Another direction than the mirrored one was drawn from a lobe.
-        if (length(stage.direction - reflect(before.direction, normal)) > as_recorded) return {};
-        bent = pencil_mirror(ConePlane::of_incidence, stage.curvature, cos_in);
-        bent_across = pencil_mirror(ConePlane::across, upright, cos_in);
+        if (length(stage.direction - reflect(before.direction, surface.normal)) > as_recorded) return {};
+        bent = mirrored_by(surface);
       } else {
         if (formed == nullptr || !formed->snell) return {};
         const SnellNumbers& snell = *formed->snell;
         stage.n = snell.n2;
-        bent = pencil_refraction(ConePlane::of_incidence, stage.curvature, snell.n1, snell.n2, snell.cos_in,
-                                 snell.cos_out);
-        bent_across = pencil_refraction(ConePlane::across, upright, snell.n1, snell.n2, snell.cos_in, snell.cos_out);
+        bent = refracted_by(surface, snell.n1, snell.n2, snell.cos_out);
         stages.back().n = snell.n1;
       }
-      stage.start = bent * pencil_transfer(before.length) * before.start;
-      stage.start_across = bent_across * pencil_transfer(before.length) * before.start_across;
+      stage.start = bent.plan * pencil_transfer(before.length) * before.start;
+      stage.start_across = bent.across * pencil_transfer(before.length) * before.start_across;
     }
     stage.focus = focus_of_point(stage.start);
     stage.focus_across = focus_of_point(stage.start_across);

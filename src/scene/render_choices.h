@@ -22,6 +22,7 @@ enum class Integrator {
   radiosity,    ///< light between matt surfaces, from patch to patch (Goral et al. 1984)
   beams,        ///< all rays of a pixel at once (Heckbert and Hanrahan 1984)
   cones,        ///< a pixel as one cone, and how much of it each object covers (Amanatides 1984)
+  pencils,      ///< whitted's rays, each with the matrix of those beside it (Shinya, Takahashi, Naito 1987)
 };
 /// What is to be known of an integrator before it runs. Its procedure is in trace.
 struct IntegratorTraits {
@@ -68,7 +69,10 @@ inline constexpr std::array integrators{
                      .name = "cones",
                      .follows = "a pixel as one cone: soft shadows, gloss and translucency without samples",
                      .has_width = true,
-                     .has_lobes = true}};
+                     .has_lobes = true},
+    IntegratorTraits{.integrator = Integrator::pencils,
+                     .name = "pencils",
+                     .follows = "what whitted does, and in the plan the rays beside each, by a matrix"}};
 [[nodiscard]] constexpr const IntegratorTraits& traits_of(Integrator integrator) {
   return integrators[static_cast<std::size_t>(integrator)];
 }

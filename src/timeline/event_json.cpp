@@ -292,7 +292,21 @@ class EventWriter {
     if (added.off > 0) to_["off"] = added.off;
   }
 
+  void operator()(const PencilChanged& changed) const {
+    to_["what"] = "pencil_changed";
+    to_["ray"] = changed.ray;
+    if (!changed.system) return;
+    if (changed.along != 0) to_["along"] = changed.along;
+    if (changed.curvature != 0) to_["curvature"] = changed.curvature;
+    if (changed.snell) snell(*changed.snell);
+    to_["by"] = matrix(changed.by.plan);
+    to_["matrix"] = matrix(changed.system->plan);
+    to_["matrix_across"] = matrix(changed.system->across);
+    if (const auto focus = focus_of_point(changed.system->plan)) to_["focus"] = *focus;
+  }
+
  private:
+  [[nodiscard]] static Json matrix(const PencilMatrix& m) { return {{m.a, m.b}, {m.c, m.d}}; }
   [[nodiscard]] static Json light_of(const PatchLight& light) {
     return {{"irradiance", triple(light.irradiance)}, {"unshot", triple(light.unshot)}};
   }

@@ -5,6 +5,7 @@
 #include "scene/effects.h"
 #include "timeline/beam_message.h"
 #include "timeline/cone_message.h"
+#include "timeline/pencil_message.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,6 +33,8 @@ class Describer {
       if (auto message = beam_message(scene_, timeline_, position_)) return std::move(*message);
     if (timeline_.of_cones())
       if (auto message = cone_message(scene_, timeline_, position_)) return std::move(*message);
+    if (timeline_.of_pencils())
+      if (auto message = pencil_message(scene_, timeline_, position_)) return std::move(*message);
     return std::visit([&](const auto& detail) { return describe(*event, detail); }, event->detail);
   }
 
@@ -215,11 +218,12 @@ class Describer {
   }
 
   [[nodiscard]] Message describe(const Event& event, const Decided& decided) const {
-    if (event.line == Line::if_intersect_something) {
+    const Line line = without_pencil(event.line);
+    if (line == Line::if_intersect_something) {
       if (!decided.holds) return {"walk.intersected_nothing", {}};
       return {"walk.intersected", {{"object", object(current().object)}}};
     }
-    if (event.line == Line::if_reflective) {
+    if (line == Line::if_reflective) {
       if (!decided.holds) return {"walk.not_reflective", {{"object", shaded()}}};
       // Under total internal reflection kt goes to kr.
       const Material& material = scene_.objects[static_cast<std::size_t>(current().object)].material;
@@ -231,7 +235,7 @@ class Describer {
       return {came_from_outside() ? "walk.reflective_totally_in" : "walk.reflective_totally",
               {{"object", shaded()}, {"weight", decided.weight}}};
     }
-    if (event.line == Line::if_transparent) {
+    if (line == Line::if_transparent) {
       if (decided.why == Ending::total_internal_reflection)
         return {came_from_outside() ? "walk.totally_reflected_in" : "walk.totally_reflected", {{"object", shaded()}}};
       if (!decided.holds) return {"walk.not_transparent", {{"object", shaded()}}};
@@ -469,12 +473,13 @@ class Describer {
     if (looked.patch < 0) return {"walk.looked_up_dark", {{"object", object(met)}, {"colour", looked.shade}}};
     return {"walk.looked_up", {{"object", object(met)}, {"irradiance", looked.irradiance}, {"colour", looked.shade}}};
   }
-  // Told by beam_message and cone_message.
+  // Told by beam_message, cone_message and pencil_message.
   [[nodiscard]] Message describe(const Event& /*event*/, const BeamFormed& /*formed*/) const { return {}; }
   [[nodiscard]] Message describe(const Event& /*event*/, const BeamCut& /*cut*/) const { return {}; }
   [[nodiscard]] Message describe(const Event& /*event*/, const PartBegun& /*begun*/) const { return {}; }
   [[nodiscard]] Message describe(const Event& /*event*/, const PartShaded& /*shaded*/) const { return {}; }
   [[nodiscard]] Message describe(const Event& /*event*/, const PartAdded& /*added*/) const { return {}; }
+  [[nodiscard]] Message describe(const Event& /*event*/, const PencilChanged& /*changed*/) const { return {}; }
 
   static constexpr double nearly_all = 0.995;  ///< a weight that reads as 100%
   const Scene& scene_;

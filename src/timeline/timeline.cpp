@@ -257,6 +257,7 @@ Timeline::Timeline(std::vector<Event> events, ImageSize image) : image_(image), 
               beams_[static_cast<std::size_t>(rays_[static_cast<std::size_t>(ray)].beam)].begun_at = after;
             },
             [&](const PartShaded&) {},
+            [&](const PencilChanged& changed) { ray = index_of(changed.ray); },
             [&](const PartAdded& added) {
               ray = index_of(added.ray);
               BeamRecord& part = beams_[static_cast<std::size_t>(rays_[static_cast<std::size_t>(ray)].beam)];

@@ -44,7 +44,7 @@ struct RayRecord {
   int found_at = 0;                   ///< position from which its end is known
 };
 
-/// One execution of SHADE, FOLLOW PATH, FOLLOW PHOTON, GATHER LIGHT, SHADE PARTS or SHADE CONE.
+/// One execution of SHADE, FOLLOW PATH, FOLLOW PHOTON, GATHER LIGHT, SHADE PARTS, SHADE CONE or SHADE PENCIL.
 struct FrameRecord {
   int parent = -1;  ///< index in frames() of the suspended caller; -1 when MAIN ALGORITHM or PATH TRACING called
   int depth = 1;
@@ -93,6 +93,8 @@ class Timeline {
   [[nodiscard]] bool of_cones() const { return pseudocode().lines.front().line == Line::cone_for_each_pixel; }
   /// Whether what it follows has a width: of one of these two.
   [[nodiscard]] bool has_width() const { return of_beams() || of_cones(); }
+  /// Whether it is a recording of PENCIL TRACING.
+  [[nodiscard]] bool of_pencils() const { return pseudocode().lines.front().line == Line::pencil_for_each_pixel; }
   /// The pseudocode whose lines it walks.
   [[nodiscard]] const Pseudocode& pseudocode() const {
     return events_.empty() ? pseudocodes.front() : pseudocode_with(events_.front().line);

@@ -5,6 +5,7 @@
 #include "math/vec.h"
 #include "math/words.h"
 #include "trace/optics.h"
+#include "trace/pencil.h"
 #include "trace/pseudocode.h"
 #include "trace/rough_dielectric.h"
 
@@ -437,11 +438,23 @@ struct PartAdded {
   double off = 0;  ///< by how much the shades near the border of a part differ from its one, at most
 };
 
+// Pencil tracing only.
+
+/// transfer_pencil, reflect_pencil, refract_pencil: what the matrix from EYE has become.
+struct PencilChanged {
+  int ray;                              ///< the axis, or the one that leaves the surface
+  std::optional<PencilSystem> system;   ///< none where the axis has left the plan, or the surface's own normal
+  PencilSystem before{}, by{};          ///< system = by * before
+  double along = 0;                     ///< transfer_pencil: the distance
+  double curvature = 0, cos_in = 1;     ///< else: of the surface in the plan, towards the ray; of the angle to it
+  std::optional<SnellNumbers> snell{};  ///< refract_pencil
+};
+
 using EventDetail = std::variant<PixelBegun, RayFormed, RayNotFormed, Found, Decided, ShadeCalled, ShadeComputed,
                                  PixelPut, BackgroundAdded, EmissionAdded, LightAdded, DirectionChosen, SurvivalDecided,
                                  PhotonBegun, PhotonStored, PhotonsFound, PhotonsAdded, PatchesMade, UnshotLight,
                                  PatchTaken, PatchShot, PatchInFront, FormFactorFound, LightArrived, PatchEmptied,
-                                 LightLookedUp, BeamFormed, BeamCut, PartBegun, PartShaded, PartAdded>;
+                                 LightLookedUp, BeamFormed, BeamCut, PartBegun, PartShaded, PartAdded, PencilChanged>;
 
 struct Event {
   Line line;

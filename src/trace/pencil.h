@@ -52,6 +52,46 @@ struct PencilMatrix {
   return {wide.radius, steep.radius, wide.spread, steep.spread};
 }
 
+/// Both planes: that of the plan, and the one across it.
+struct PencilSystem {
+  PencilMatrix plan{}, across{};
+
+  /// First `before`, then this.
+  [[nodiscard]] PencilSystem operator*(const PencilSystem& before) const {
+    return {plan * before.plan, across * before.across};
+  }
+};
+[[nodiscard]] inline PencilSystem transferred(double distance) {
+  return {pencil_transfer(distance), pencil_transfer(distance)};
+}
+
+/// A surface where an axis meets it. Curvatures are of the surface towards the ray: > 0 where it bulges that way.
+struct PencilSurface {
+  Vec3d normal;               ///< of unit length, towards the ray
+  double cos_in;              ///< of the ray's angle to it
+  double curvature, upright;  ///< in the plan; across it
+};
+[[nodiscard]] inline PencilSystem mirrored_by(const PencilSurface& at) {
+  return {pencil_mirror(ConePlane::of_incidence, at.curvature, at.cos_in),
+          pencil_mirror(ConePlane::across, at.upright, at.cos_in)};
+}
+[[nodiscard]] inline PencilSystem refracted_by(const PencilSurface& at, double n1, double n2, double cos_out) {
+  return {pencil_refraction(ConePlane::of_incidence, at.curvature, n1, n2, at.cos_in, cos_out),
+          pencil_refraction(ConePlane::across, at.upright, n1, n2, at.cos_in, cos_out)};
+}
+/// Where the axis, a ray of the plan of this direction, of unit length, meets a primitive at `point`, a SurfacePoint.
+template <class Primitives, class Point, class T>
+[[nodiscard]] PencilSurface pencil_surface(const Primitives& primitives, int primitive, int part, const Point& point,
+                                           T time, const Vec3d& direction) {
+  const Vec3d outward(point.normal);
+  const double side = dot(outward, direction) <= 0 ? 1 : -1;
+  const auto curvature = [&](const Vec3d& along) {
+    return side * dot(Vec3d(primitives.normal_derivative(primitive, point, part, time, Vec3<T>(along))), along);
+  };
+  const Vec3d left(-outward.y, outward.x, 0), up(0, 0, 1);
+  return {side * outward, -side * dot(direction, outward), curvature(left), curvature(up)};
+}
+
 /// How far along the axis the rays meet that come from one point (where the matrix begins), or from parallel ones:
 /// there the pencil folds, and light that comes from a point is a caustic. Negative: behind, where they seem to come
 /// from. None where they run in parallel.

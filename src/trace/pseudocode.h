@@ -6,11 +6,12 @@
 #include <array>
 #include <span>
 #include <string_view>
+#include <utility>
 
 namespace raywalk {
 
-/// The procedures of the tracer, of path tracing, of photon mapping, of radiosity, of beam tracing, and of cone
-/// tracing.
+/// The procedures of the tracer, of path tracing, of photon mapping, of radiosity, of beam tracing, of cone
+/// tracing, and of pencil tracing.
 enum class Procedure {
   main_algorithm,
   shade,
@@ -25,6 +26,8 @@ enum class Procedure {
   shade_parts,
   cone_tracing,
   shade_cone,
+  pencil_tracing,
+  shade_pencil,
 };
 template <>
 inline constexpr Word<Procedure> words_of<Procedure>[] = {{Procedure::main_algorithm, "MAIN ALGORITHM"},
@@ -39,11 +42,13 @@ inline constexpr Word<Procedure> words_of<Procedure>[] = {{Procedure::main_algor
                                                           {Procedure::beam_tracing, "BEAM TRACING"},
                                                           {Procedure::shade_parts, "SHADE PARTS (DEPTH, RTNSHADE)"},
                                                           {Procedure::cone_tracing, "CONE TRACING"},
-                                                          {Procedure::shade_cone, "SHADE CONE (DEPTH, RTNSHADE)"}};
+                                                          {Procedure::shade_cone, "SHADE CONE (DEPTH, RTNSHADE)"},
+                                                          {Procedure::pencil_tracing, "PENCIL TRACING"},
+                                                          {Procedure::shade_pencil, "SHADE PENCIL (DEPTH, RTNSHADE)"}};
 
 /// The lines of the procedures, in the order shown on the screen. Each text is also the comment that heads its
-/// statement in trace/tracer.h, trace/path.h, trace/photons.h, trace/radiosity.h, trace/beams.h or trace/cones.h; a
-/// test holds the two together, and another each to its translations.
+/// statement in trace/tracer.h, trace/path.h, trace/photons.h, trace/radiosity.h, trace/beams.h, trace/cones.h or
+/// trace/pencils.h; a test holds the two together, and another each to its translations.
 enum class Line {
   for_each_pixel,
   form_primary_ray,
@@ -162,6 +167,27 @@ enum class Line {
   find_refracted_cover,
   shade_refracted_cone,
   add_share,
+  // Pencil tracing's.
+  pencil_for_each_pixel,
+  form_pencil,
+  find_axis_intersection,
+  pencil_if_intersect_something,
+  shade_pencil,
+  pencil_put_final_shade,
+  transfer_pencil,
+  pencil_form_shadow_ray,
+  pencil_find_intersection,
+  pencil_if_reflective,
+  form_reflected_axis,
+  reflect_pencil,
+  find_reflected_axis_intersect,
+  shade_reflected_pencil,
+  pencil_if_transparent,
+  form_refracted_axis,
+  refract_pencil,
+  find_refracted_axis_intersect,
+  shade_refracted_pencil,
+  pencil_compute_rtnshade,
 };
 
 struct PseudocodeLine {
@@ -314,6 +340,64 @@ inline constexpr std::array<PseudocodeLine, cone_line_count> cone_pseudocode{{
     {Line::add_share, "add_share", Procedure::shade_cone, 1, "Add shade, times its share"},
 }};
 
+inline constexpr int pencil_line_count = 20;
+inline constexpr std::array<PseudocodeLine, pencil_line_count> pencil_pseudocode{{
+    {Line::pencil_for_each_pixel, "for_each_pixel", Procedure::pencil_tracing, 0, "For each pixel"},
+    {Line::form_pencil, "form_pencil", Procedure::pencil_tracing, 1, "Form pencil of the pixel: M = 1"},
+    {Line::find_axis_intersection, "find_axis", Procedure::pencil_tracing, 1, "Find intersection of its axis"},
+    {Line::pencil_if_intersect_something, "if_intersect_something", Procedure::pencil_tracing, 1,
+     "If intersect something"},
+    {Line::shade_pencil, "shade_pencil", Procedure::pencil_tracing, 2, "Shade pencil (DEPTH+1, final)"},
+    {Line::pencil_put_final_shade, "put_final_shade", Procedure::pencil_tracing, 1, "Put final shade in pixel"},
+    {Line::transfer_pencil, "transfer_pencil", Procedure::shade_pencil, 0, "Transfer: M = T M"},
+    {Line::pencil_form_shadow_ray, "form_shadow_ray", Procedure::shade_pencil, 0, "Form shadow ray"},
+    {Line::pencil_find_intersection, "find_intersection", Procedure::shade_pencil, 0, "Find intersection"},
+    {Line::pencil_if_reflective, "if_reflective", Procedure::shade_pencil, 0, "If reflective"},
+    {Line::form_reflected_axis, "form_reflected_axis", Procedure::shade_pencil, 1, "Form reflected axis"},
+    {Line::reflect_pencil, "reflect_pencil", Procedure::shade_pencil, 1, "Reflect: M = R M"},
+    {Line::find_reflected_axis_intersect, "find_axis", Procedure::shade_pencil, 1, "Find intersection of its axis"},
+    {Line::shade_reflected_pencil, "shade_reflected_pencil", Procedure::shade_pencil, 1,
+     "Shade pencil (DEPTH+1, REFLSHADE)"},
+    {Line::pencil_if_transparent, "if_transparent", Procedure::shade_pencil, 0, "If transparent"},
+    {Line::form_refracted_axis, "form_refracted_axis", Procedure::shade_pencil, 1, "Form refracted axis"},
+    {Line::refract_pencil, "refract_pencil", Procedure::shade_pencil, 1, "Refract: M = S M"},
+    {Line::find_refracted_axis_intersect, "find_axis", Procedure::shade_pencil, 1, "Find intersection of its axis"},
+    {Line::shade_refracted_pencil, "shade_refracted_pencil", Procedure::shade_pencil, 1,
+     "Shade pencil (DEPTH+1, REFRSHADE)"},
+    {Line::pencil_compute_rtnshade, "compute_rtnshade", Procedure::shade_pencil, 0, "Compute rtnshade"},
+}};
+/// Lines of the tracer, and those of pencil tracing that do the same with a pencil's axis.
+inline constexpr std::pair<Line, Line> lines_with_pencils[] = {
+    {Line::for_each_pixel, Line::pencil_for_each_pixel},
+    {Line::form_primary_ray, Line::form_pencil},
+    {Line::find_closest_intersection, Line::find_axis_intersection},
+    {Line::if_intersect_something, Line::pencil_if_intersect_something},
+    {Line::shade_final, Line::shade_pencil},
+    {Line::put_final_shade, Line::pencil_put_final_shade},
+    {Line::form_shadow_ray, Line::pencil_form_shadow_ray},
+    {Line::find_intersection, Line::pencil_find_intersection},
+    {Line::if_reflective, Line::pencil_if_reflective},
+    {Line::form_reflect_ray, Line::form_reflected_axis},
+    {Line::find_reflect_intersect, Line::find_reflected_axis_intersect},
+    {Line::shade_reflect, Line::shade_reflected_pencil},
+    {Line::if_transparent, Line::pencil_if_transparent},
+    {Line::form_refract_ray, Line::form_refracted_axis},
+    {Line::find_refract_intersect, Line::find_refracted_axis_intersect},
+    {Line::shade_refract, Line::shade_refracted_pencil},
+    {Line::compute_rtnshade, Line::pencil_compute_rtnshade}};
+/// The one of pencil tracing that does what the tracer's does.
+[[nodiscard]] constexpr Line with_pencil(Line line) {
+  for (const auto& [of_tracer, of_pencils] : lines_with_pencils)
+    if (line == of_tracer) return of_pencils;
+  return line;
+}
+/// The tracer's that one of pencil tracing does; other lines stay.
+[[nodiscard]] constexpr Line without_pencil(Line line) {
+  for (const auto& [of_tracer, of_pencils] : lines_with_pencils)
+    if (line == of_pencils) return of_tracer;
+  return line;
+}
+
 /// The lines of several procedures: of the one that runs once for each pixel, and of those that it calls.
 struct Pseudocode {
   std::span<const PseudocodeLine> lines;
@@ -321,12 +405,13 @@ struct Pseudocode {
   Integrator integrator;  ///< whose it is; `automatic`: the tracer's
 };
 /// All pseudocodes, in the order of their lines.
-inline constexpr std::array<Pseudocode, 6> pseudocodes{{{pseudocode, true, Integrator::automatic},
+inline constexpr std::array<Pseudocode, 7> pseudocodes{{{pseudocode, true, Integrator::automatic},
                                                         {path_pseudocode, false, Integrator::path},
                                                         {photon_pseudocode, false, Integrator::photons},
                                                         {radiosity_pseudocode, false, Integrator::radiosity},
                                                         {beam_pseudocode, true, Integrator::beams},
-                                                        {cone_pseudocode, true, Integrator::cones}}};
+                                                        {cone_pseudocode, true, Integrator::cones},
+                                                        {pencil_pseudocode, true, Integrator::pencils}}};
 inline constexpr int all_lines_count = static_cast<int>(pseudocodes.back().lines.back().line) + 1;
 
 /// The one that a line belongs to.
@@ -374,6 +459,10 @@ inline constexpr int all_lines_count = static_cast<int>(pseudocodes.back().lines
       return "cone_tracing";
     case Procedure::shade_cone:
       return "shade_cone";
+    case Procedure::pencil_tracing:
+      return "pencil_tracing";
+    case Procedure::shade_pencil:
+      return "shade_pencil";
   }
   return "";
 }

@@ -5,6 +5,7 @@
 #include "trace/beam_scene.h"
 #include "trace/cone_kernel.h"
 #include "trace/cone_scene.h"
+#include "trace/pencil_kernel.h"
 #include "trace/space_beam_kernel.h"
 
 namespace raywalk {
@@ -138,7 +139,8 @@ Statistics SceneKernel<T>::run(const RayGenerator<T>& camera, const PixelBlock& 
   PixelBlock lit = block;
   if (radiosity_) lit.bounced = &radiosity_->kernel.bounced();
   if constexpr (Watcher::watches)
-    return trace_watched(world_, camera, lit, put, observer);
+    return integrator_ == Integrator::pencils ? trace_pencils_watched(world_, camera, lit, put, observer)
+                                              : trace_watched(world_, camera, lit, put, observer);
   else
     return kernel_(world_, camera, lit, put);
 }

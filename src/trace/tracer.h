@@ -75,7 +75,7 @@ class Tracer {
 
   [[nodiscard]] const Statistics& statistics() const { return statistics_; }
 
- private:
+ protected:  // for pencil tracing, which follows a pencil's axis so (trace/pencils.h)
   /// The position of a ray in the ray tree, which keys its draws; only in kernels that draw.
   struct Branch {
     std::uint64_t path = 0;

@@ -262,6 +262,11 @@ mutant cones_ask_nothing_behind_their_start cone_bodies trace/cone_bodies.cpp 's
 mutant pencils_mirror_keeps_left cones trace/pencil.h 'ConePlane::of_incidence ? -1 : 1;' 'ConePlane::of_incidence ? 1 : 1;'
 mutant pencils_focus_elsewhere cones trace/pencil.h '-system.b / system.d' '-system.a / system.d'
 mutant pencils_in_the_wrong_order cones trace/pencil.h 'a * before.b + b * before.d' 'before.a * b + before.b * d'
+mutant pencils_curved_alike_inside cones trace/pencil.h 'return side * dot(Vec3d(primitives' 'return dot(Vec3d(primitives'
+mutant pencils_planes_exchanged cones trace/pencil.h 'curvature(left), curvature(up)}' 'curvature(up), curvature(left)}'
+mutant pencils_transferred_back cones trace/pencil.h '{pencil_transfer(distance), pencil_transfer(distance)}' '{pencil_transfer(-distance), pencil_transfer(distance)}'
+mutant pencils_system_in_the_wrong_order cones trace/pencil.h '{plan * before.plan, across' '{before.plan * plan, across'
+mutant pencils_mirrored_flat_across cones trace/pencil.h 'pencil_mirror(ConePlane::across, at.upright' 'pencil_mirror(ConePlane::across, 0 * at.upright'
 
 # Light inside bodies.
 mutant media_back_for_on media trace/phase.h '(g < 0 ? -g * (1 + cos) : g * (1 - cos))' '(g < 0 ? -g * (1 - cos) : g * (1 + cos))'

@@ -74,7 +74,7 @@ TEST_CASE("integrators stand in the order of their enumeration, each with a name
     CHECK(integrators[i].integrator == static_cast<Integrator>(i));
     CHECK(names.insert(integrators[i].name).second);
   }
-  CHECK(values_of<Integrator>.back() == Integrator::cones);
+  CHECK(values_of<Integrator>.back() == Integrator::pencils);
   CHECK(draws_random(Integrator::path));
   CHECK_FALSE(draws_random(Integrator::whitted));
 }

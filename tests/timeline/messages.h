@@ -125,6 +125,12 @@ inline constexpr std::array<std::string_view, 24> cone_messages{"walk.cone_forme
                                                                 "walk.share_added",
                                                                 "walk.last_share_added"};
 
+/// Of PENCIL TRACING alone.
+inline constexpr std::array<std::string_view, 11> pencil_messages{
+    "walk.pencil_formed", "walk.image_pencil_formed", "walk.pencil_transferred", "walk.pencil_folded",
+    "walk.pencil_meets",  "walk.pencil_spreads",      "walk.pencil_parallel",    "walk.pencil_lost",
+    "walk.pencil_called", "walk.pencil_missed",       "walk.pencil_shaded"};
+
 /// Of scenes under a sky.
 inline constexpr std::array<std::string_view, 10> sky_messages{
     "walk.found_sky",          "walk.found_sky_below",    "walk.sky_aimed_at",   "walk.sky_not_aimed_at",
@@ -151,6 +157,7 @@ inline std::set<std::string> strip_messages() {
         std::find(radiosity_messages.begin(), radiosity_messages.end(), id) == radiosity_messages.end() &&
         std::find(beam_messages.begin(), beam_messages.end(), id) == beam_messages.end() &&
         std::find(cone_messages.begin(), cone_messages.end(), id) == cone_messages.end() &&
+        std::find(pencil_messages.begin(), pencil_messages.end(), id) == pencil_messages.end() &&
         std::find(sky_messages.begin(), sky_messages.end(), id) == sky_messages.end() &&
         std::find(scattering_messages.begin(), scattering_messages.end(), id) == scattering_messages.end() &&
         std::find(dipole_messages.begin(), dipole_messages.end(), id) == dipole_messages.end() &&

@@ -146,7 +146,30 @@ TEST_CASE("every line of pseudocode heads its statement in the cone tracer") {
     CHECK(pseudocode_of(line.line).text == line.text);
     CHECK(&pseudocode_with(line.line) == &pseudocodes[5]);
   }
+}
+
+TEST_CASE("every line of pseudocode heads its statement in the pencil tracer") {
+  const std::string source = test::source_of(RAYWALK_SOURCE_DIR "/src/trace/pencils.h");
+  const auto pencil_drift = [](const std::string& text) {
+    return test::drift(text, pencil_pseudocode,
+                       {std::pair{Procedure::pencil_tracing, "void main_algorithm("},
+                        std::pair{Procedure::shade_pencil, "Rgb<T> shade_pencil("}});
+  };
+  REQUIRE_FALSE(source.empty());
+  CHECK(pencil_drift(source) == "");
+  CHECK_THAT(pencil_drift(replaced(source, "// Reflect: M = R M", "// Reflect: M = M R")),
+             contains("expected `// Reflect: M = R M`, found `// Reflect: M = M R`"));
+  int number =
+      line_count + path_line_count + photon_line_count + radiosity_line_count + beam_line_count + cone_line_count;
+  for (const PseudocodeLine& line : pencil_pseudocode) {
+    CHECK(static_cast<int>(line.line) == number++);
+    CHECK(pseudocode_of(line.line).text == line.text);
+    CHECK(&pseudocode_with(line.line) == &pseudocodes[6]);
+    CHECK(with_pencil(without_pencil(line.line)) == line.line);
+  }
   CHECK(number == all_lines_count);
+  // What both do has the same words, but where a pencil's axis is named.
+  for (const PseudocodeLine& line : pseudocode) CHECK(without_pencil(with_pencil(line.line)) == line.line);
 }
 
 TEST_CASE("every line of pseudocode heads its statement in the tracer") {

@@ -149,3 +149,37 @@ TEST_CASE("a flat mirror changes nothing but left and right") {
   CHECK(*focus_of_point(flat * pencil_transfer(3)) == -3);
   CHECK_FALSE(focus_of_parallel(flat).has_value());
 }
+
+TEST_CASE("a surface has its curvatures towards the ray, in the plan and across it") {
+  struct Point {
+    Vec3d normal;
+  };
+  // As an ellipsoid's, that turns its normal by one curvature along the plan and by another one upright.
+  struct Bent {
+    double in_plan, upright;
+    [[nodiscard]] Vec3d normal_derivative(int, const Point&, int, double, const Vec3d& along) const {
+      return {in_plan * along.x, in_plan * along.y, upright * along.z};
+    }
+  };
+  const Bent bent{0.5, 2};
+  const Point point{{0.6, 0.8, 0}};
+  const Vec3d along = normalize(Vec3d(-1, -0.2, 0));
+  const double cosine = -dot(along, point.normal);
+  for (const bool from_outside : {true, false}) {
+    const double side = from_outside ? 1 : -1;
+    const PencilSurface met = pencil_surface(bent, 0, 0, point, 0.0, side * along);
+    CHECK(met.normal == side * point.normal);
+    CHECK(met.cos_in == Approx(cosine).epsilon(1e-15));
+    CHECK(met.curvature == Approx(side * 0.5).epsilon(1e-15));
+    CHECK(met.upright == Approx(side * 2).epsilon(1e-15));
+    const PencilSystem mirror = mirrored_by(met), glass = refracted_by(met, 1, 1.5, 0.9);
+    CHECK(mirror.plan.c == pencil_mirror(ConePlane::of_incidence, side * 0.5, met.cos_in).c);
+    CHECK(mirror.across.c == pencil_mirror(ConePlane::across, side * 2, met.cos_in).c);
+    CHECK(glass.plan.c == pencil_refraction(ConePlane::of_incidence, side * 0.5, 1, 1.5, met.cos_in, 0.9).c);
+    CHECK(glass.across.c == pencil_refraction(ConePlane::across, side * 2, 1, 1.5, met.cos_in, 0.9).c);
+    // What comes first acts first.
+    const PencilSystem later = transferred(3) * mirror;
+    CHECK(later.plan({1, 0}).offset == Approx(mirror.plan.a + 3 * mirror.plan.c).epsilon(1e-15));
+    CHECK(later.across({1, 0}).offset == Approx(mirror.across.a + 3 * mirror.across.c).epsilon(1e-15));
+  }
+}

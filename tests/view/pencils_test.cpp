@@ -166,3 +166,41 @@ TEST_CASE("a walk of beams, cones or radiosity, and moving, shows no pencils") {
     CHECK(other.pencil.pencils.empty() == (other.walk.timeline->has_width() || other.walk.timeline->of_radiosity()));
   }
 }
+
+TEST_CASE("where pencils are walked the plan draws them, no sooner than their matrix, and the equation has it") {
+  Scene scene = read_scene(RAYWALK_SOURCE_DIR "/scenes/pencils.toml")->scene;
+  scene.render.integrator = Integrator::pencils;
+  State state = state_of(scene);
+  update(state, action::SetMode{Mode::trace});
+  const Timeline& timeline = *state.walk.timeline;
+  REQUIRE(timeline.of_pencils());
+  CHECK_FALSE(state.pencil.shown);
+  const auto is_drawn = [&](int ray) {
+    return std::any_of(state.pencil.pencils.begin(), state.pencil.pencils.end(),
+                       [&](const Pencil& each) { return each.ray == ray; });
+  };
+  int axes = 0, changed = 0;
+  for (int at = 1; at <= timeline.steps(); ++at) {
+    update(state, action::Jump{at});
+    const int ray = timeline.current_ray(at);
+    const EventDetail& detail = timeline.event(at - 1).detail;
+    if (const auto* formed = std::get_if<RayFormed>(&detail)) {
+      if (formed->kind == RayKind::shadow) continue;
+      CHECK(is_drawn(ray) == (formed->parent < 0));
+      axes += is_drawn(ray);
+    } else if (const auto* matrix = std::get_if<PencilChanged>(&detail)) {
+      REQUIRE(matrix->system);
+      CHECK(is_drawn(ray));
+      bool first = false, second = false;
+      for (const EquationRow& row : equation_panel(state).rows) {
+        first |= row.values == std::vector<double>{matrix->system->plan.a, matrix->system->plan.b};
+        second |= row.values == std::vector<double>{matrix->system->plan.c, matrix->system->plan.d};
+      }
+      CHECK((first && second));
+      ++changed;
+    }
+    CHECK(is_finite(plan_view(state)));
+  }
+  CHECK(axes > 8);
+  CHECK(changed > 30);
+}

@@ -16,8 +16,9 @@ set(smallest
   trace/cone_scene.cpp trace/dipole_limits.cpp trace/emitters.cpp trace/form_factor.cpp trace/kernel_faulty.cpp
   trace/kernel_filtering.cpp trace/kernel_float.cpp trace/kernel_naive.cpp trace/kernel_watched.cpp
   trace/microfacets.cpp trace/outlines.cpp trace/patch_cutter.cpp trace/patch_elements.cpp trace/patch_light.cpp
-  trace/patches.cpp trace/photon_kernel.cpp trace/photon_lights.cpp trace/photon_limits.cpp trace/photon_map.cpp
-  trace/plan_marks.cpp trace/radiosity_kernel.cpp trace/radiosity_pass.cpp trace/ray_cone.cpp trace/ray_generator.cpp trace/recursion.cpp
+  trace/patches.cpp trace/pencil_kernel.cpp trace/photon_kernel.cpp trace/photon_lights.cpp trace/photon_limits.cpp
+  trace/photon_map.cpp trace/plan_marks.cpp trace/radiosity_kernel.cpp trace/radiosity_pass.cpp trace/ray_cone.cpp
+  trace/ray_generator.cpp trace/recursion.cpp
   trace/rough_dielectric.cpp trace/scene_kernel.cpp trace/sky_light.cpp trace/space_beam_kernel.cpp
   trace/surface_maps.cpp trace/texture_pyramid.cpp trace/unfolded_plan.cpp trace/world.cpp)
 list(TRANSFORM smallest PREPEND "${CMAKE_SOURCE_DIR}/src/")

@@ -61,11 +61,23 @@ void compare(Pencil& pencil, const World<double>& world, double half_angle) {
 
 }  // namespace
 
+namespace {
+
+bool is_shown(const State& state, const Timeline& timeline) { return state.pencil.shown || timeline.of_pencils(); }
+
+/// Whether the walk has come to the pencil of ray `i`. The matrix of a walked one follows its axis by a step.
+bool is_there(const Timeline& timeline, int i, int position) {
+  const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(i)];
+  return ray.formed_at + (timeline.of_pencils() && ray.parent >= 0 ? 1 : 0) <= position;
+}
+
+}  // namespace
+
 void PencilRoom::follow(State& state, const Before& /*before*/) {
   PencilRoom& room = state.pencil;
   const std::shared_ptr<const Timeline>& timeline = state.walk.timeline;
   const int position = state.walk.position;
-  if (!room.shown || timeline == nullptr || !timeline->of_strip()) {
+  if (timeline == nullptr || !is_shown(state, *timeline) || !timeline->of_strip()) {
     room.of = nullptr, room.pencils.clear();
     return;
   }
@@ -83,6 +95,7 @@ void PencilRoom::follow(State& state, const Before& /*before*/) {
   const Timeline::Range range = timeline->rays_of_pixel(pixel);
   const int formed = static_cast<int>(timeline->rays_at(position).size());
   for (int i = range.first; i < std::min(range.last, formed); ++i) {
+    if (!is_there(*timeline, i, position)) continue;
     Pencil pencil{i, pencil_of(*world, camera, *timeline, i)};
     if (pencil.stages.empty()) continue;
     if (room.neighbours) compare(pencil, *world, room.half_angle);
@@ -199,7 +212,7 @@ class PencilPainter {
 
 void PencilRoom::draw_in_plan(Painter& painter) {
   const State& state = painter.state;
-  if (state.walk.mode == Mode::move || !state.pencil.shown || state.pencil.of != state.walk.timeline) return;
+  if (state.walk.mode == Mode::move || state.pencil.of != state.walk.timeline || state.pencil.of == nullptr) return;
   PencilPainter(painter, state.pencil).draw();
 }
 

@@ -45,7 +45,7 @@ struct PencilRoom {
   static void follow(State& state, const Before& before);
   static Commands commands();
 
-  bool shown = false;
+  bool shown = false;       ///< also over rays: pencils that are walked are there in any case
   bool neighbours = false;  ///< and the true rays, too
   // Of the walk at a position.
   std::shared_ptr<const Timeline> of{};

@@ -94,7 +94,7 @@ StackPanel stack_panel(const State& state) {
   // A call that has just computed its shade is still shown while returning.
   std::vector<int> calls = timeline.stack(state.walk.position);
   const Event* ran = timeline.just_run(state.walk.position);
-  const bool returning = ran != nullptr && ran->line == Line::compute_rtnshade;
+  const bool returning = ran != nullptr && without_pencil(ran->line) == Line::compute_rtnshade;
   if (returning) calls.insert(calls.begin(), timeline.current_frame(state.walk.position));
   const int rays_of_path = ran == nullptr ? 1 : std::max(depth_after(*ran), 1);  // it is called with its first
   for (const int call : calls) {
@@ -103,9 +103,10 @@ StackPanel stack_panel(const State& state) {
     const RayRecord& ray = ray_of(timeline, ray_index);
     StackRow row;
     row.title = timeline.of_paths() ? fill("stack.path", state.appearance.language, {{"ray", rays_of_path}})
-                                    : fill(timeline.of_beams()   ? "stack.shade_parts"
-                                           : timeline.of_cones() ? "stack.shade_cone"
-                                                                 : "stack.shade",
+                                    : fill(timeline.of_beams()     ? "stack.shade_parts"
+                                           : timeline.of_cones()   ? "stack.shade_cone"
+                                           : timeline.of_pencils() ? "stack.shade_pencil"
+                                                                   : "stack.shade",
                                            state.appearance.language, {{"depth", frame.depth}});
     row.ray = ray_text(state, ray);
     row.ray_index = ray_index;

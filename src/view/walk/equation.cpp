@@ -289,8 +289,9 @@ class EquationWriter {
   }
 
   void write(const Decided& decided) {
-    const bool transparent = event_->line == Line::if_transparent;
-    if (event_->line != Line::if_reflective && !transparent)
+    const Line line = without_pencil(event_->line);
+    const bool transparent = line == Line::if_transparent;
+    if (line != Line::if_reflective && !transparent)
       return row(Kind::note, decided.holds ? Word{"equation.yes"} : Word{"equation.no"});
     light(Kind::term, decided.weight, transparent ? "kt′ =" : "kr′ =");
     if (!decided.why) return row(Kind::note, decided.holds ? Word{"equation.above_zero"} : Word{"equation.is_zero"});
@@ -444,12 +445,32 @@ class EquationWriter {
     for (const Pencil& pencil : state_.pencil.pencils) {
       if (pencil.ray != ray) continue;
       const PencilStage& stage = pencil.stages.back();
-      const PencilMatrix& m = stage.start;
       row(Kind::formula, "y′ = a y + b s,  s′ = c y + d s");
-      row(Kind::numbers, "a = ", m.a, "  b = ", m.b);
-      row(Kind::numbers, "c = ", m.c, "  d = ", m.d);
+      matrix(stage.start);
       if (stage.focus && pencil.stages.size() > 1) row(Kind::total, "f = −b / d = ", *stage.focus);
     }
+  }
+
+  void matrix(const PencilMatrix& m) {
+    row(Kind::numbers, "a = ", m.a, "  b = ", m.b);
+    row(Kind::numbers, "c = ", m.c, "  d = ", m.d);
+  }
+  /// In PENCIL TRACING: by what it was multiplied, and what it is now.
+  void write(const PencilChanged& changed) {
+    if (!changed.system) return;
+    const bool transfers = event_->line == Line::transfer_pencil;
+    const std::string_view by = transfers ? "T" : event_->line == Line::reflect_pencil ? "R" : "S";
+    row(Kind::formula, "M′ = ", by, " M");
+    const PencilMatrix& step = changed.by.plan;
+    row(Kind::numbers, by, " = [", step.a, "  ", step.b, " ;  ", step.c, "  ", step.d, "]");
+    if (transfers)
+      row(Kind::numbers, "t = ", changed.along);
+    else
+      row(Kind::numbers, "1 / r = ", changed.curvature, "  θ = ", angle_of_cosine(changed.cos_in), "°");
+    row(Kind::formula, "y′ = a y + b s,  s′ = c y + d s");
+    matrix(changed.system->plan);
+    const std::optional<double> focus = focus_of_point(changed.system->plan);
+    if (focus && !transfers) row(Kind::total, "f = −b / d = ", *focus);
   }
 
   // ---- Beam and cone tracing

@@ -2,7 +2,8 @@
 
 namespace raywalk {
 
-bool concerns(Line line, RayKind kind) {
+bool concerns(Line own, RayKind kind) {
+  const Line line = without_pencil(own);
   switch (kind) {
     case RayKind::primary:
       return line == Line::form_primary_ray || line == Line::find_closest_intersection || line == Line::shade_final ||
@@ -17,14 +18,16 @@ bool concerns(Line line, RayKind kind) {
              line == Line::beam_find_intersection || line == Line::form_shadow_cone || line == Line::find_uncovered;
     case RayKind::reflect:
       return line == Line::form_reflect_ray || line == Line::find_reflect_intersect || line == Line::shade_reflect ||
-             line == Line::form_next_ray || line == Line::path_find_closest_intersection ||
-             line == Line::gather_form_next_ray || line == Line::gather_find_closest_intersection ||
-             line == Line::form_middle_ray || line == Line::follow_middle_ray;
+             line == Line::reflect_pencil || line == Line::form_next_ray ||
+             line == Line::path_find_closest_intersection || line == Line::gather_form_next_ray ||
+             line == Line::gather_find_closest_intersection || line == Line::form_middle_ray ||
+             line == Line::follow_middle_ray;
     case RayKind::refract:
       return line == Line::form_refract_ray || line == Line::find_refract_intersect || line == Line::shade_refract ||
-             line == Line::form_next_ray || line == Line::path_find_closest_intersection ||
-             line == Line::gather_form_next_ray || line == Line::gather_find_closest_intersection ||
-             line == Line::form_middle_ray || line == Line::follow_middle_ray;
+             line == Line::refract_pencil || line == Line::form_next_ray ||
+             line == Line::path_find_closest_intersection || line == Line::gather_form_next_ray ||
+             line == Line::gather_find_closest_intersection || line == Line::form_middle_ray ||
+             line == Line::follow_middle_ray;
     case RayKind::photon:
       return line == Line::emit_photon || line == Line::photon_find_closest_intersection ||
              line == Line::follow_photon || line == Line::photon_form_next_ray;
