@@ -72,7 +72,7 @@ inline constexpr std::array integrators{
                      .has_lobes = true},
     IntegratorTraits{.integrator = Integrator::pencils,
                      .name = "pencils",
-                     .follows = "what whitted does, and in the plan the rays beside each, by a matrix"}};
+                     .follows = "what whitted does, and the rays beside each, by a matrix"}};
 [[nodiscard]] constexpr const IntegratorTraits& traits_of(Integrator integrator) {
   return integrators[static_cast<std::size_t>(integrator)];
 }

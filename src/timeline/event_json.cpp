@@ -299,10 +299,20 @@ class EventWriter {
     if (changed.along != 0) to_["along"] = changed.along;
     if (changed.curvature != 0) to_["curvature"] = changed.curvature;
     if (changed.snell) snell(*changed.snell);
-    to_["by"] = matrix(changed.by.plan);
-    to_["matrix"] = matrix(changed.system->plan);
-    to_["matrix_across"] = matrix(changed.system->across);
-    if (const auto focus = focus_of_point(changed.system->plan)) to_["focus"] = *focus;
+    const PencilSystem& M = *changed.system;
+    if (M.is_unmixed()) {
+      to_["matrix"] = matrix(M.plan);
+      to_["matrix_across"] = matrix(M.across);
+      if (const auto focus = focus_of_point(M.plan)) to_["focus"] = *focus;
+    } else {
+      // By left and up: offset and slope of each.
+      to_["matrix"] = {{M.plan.a, M.plan.b, M.left_from_up.a, M.left_from_up.b},
+                       {M.plan.c, M.plan.d, M.left_from_up.c, M.left_from_up.d},
+                       {M.up_from_left.a, M.up_from_left.b, M.across.a, M.across.b},
+                       {M.up_from_left.c, M.up_from_left.d, M.across.c, M.across.d}};
+      to_["foci"] = Json::array();
+      for (const std::optional<double>& focus : foci_of_point(M)) to_["foci"].push_back(focus ? Json(*focus) : Json());
+    }
   }
 
  private:

@@ -2,8 +2,10 @@
 
 #include "math/overloaded.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 namespace raywalk {
 
@@ -13,12 +15,11 @@ std::string object_name(const Scene& scene, int index) {
   return index < 0 ? std::string() : scene.objects[static_cast<std::size_t>(index)].name;
 }
 
-/// What `changed` made of the matrix. `object`: at which surface, but for a transfer.
-Message of_matrix(Line line, const PencilChanged& changed, const std::string& object) {
-  if (!changed.system) return {"walk.pencil_lost", {}};
+/// In the plan.
+Message of_plan(Line line, const PencilChanged& changed, const std::string& object) {
   const PencilMatrix& m = changed.system->plan;
   if (line == Line::transfer_pencil) {
-    const std::optional<double> focus = focus_of_point(changed.before.plan);
+    const std::optional<double> focus = focus_of_point(pencil_transfer(-changed.along) * m);
     if (focus && *focus > 0 && *focus < changed.along)
       return {"walk.pencil_folded",
               {{"length", changed.along}, {"a", m.a}, {"b", m.b}, {"c", m.c}, {"d", m.d}, {"focus", *focus}}};
@@ -32,6 +33,36 @@ Message of_matrix(Line line, const PencilChanged& changed, const std::string& ob
             {{"object", object}, {"a", m.a}, {"b", m.b}, {"c", m.c}, {"d", m.d}, {"focus", *focus}}};
   return {"walk.pencil_spreads",
           {{"object", object}, {"a", m.a}, {"b", m.b}, {"c", m.c}, {"d", m.d}, {"focus", -*focus}}};
+}
+
+/// In space, where rays meet on two lines.
+Message of_space(Line line, const PencilChanged& changed, const std::string& object) {
+  const bool transfers = line == Line::transfer_pencil;
+  const PencilSystem& M = *changed.system;
+  std::vector<double> before, behind;  // the distances of the foci, from where the ray starts
+  for (const std::optional<double>& focus : foci_of_point(transfers ? transferred(-changed.along) * M : M))
+    if (focus) (*focus > 0 ? before : behind).push_back(std::abs(*focus));
+  std::sort(before.begin(), before.end());
+  std::sort(behind.begin(), behind.end());
+  if (transfers) {
+    const Vec2d axes = ellipse_from_point(M);
+    if (!before.empty() && before.front() < changed.along)
+      return {"walk.space_pencil_folded",
+              {{"length", changed.along}, {"long", axes.x}, {"short", axes.y}, {"focus", before.front()}}};
+    return {"walk.space_pencil_transferred", {{"length", changed.along}, {"long", axes.x}, {"short", axes.y}}};
+  }
+  if (before.size() == 2)
+    return {"walk.space_pencil_meets", {{"object", object}, {"focus", before.front()}, {"second", before.back()}}};
+  if (!before.empty()) return {"walk.space_pencil_half_meets", {{"object", object}, {"focus", before.front()}}};
+  if (!behind.empty()) return {"walk.space_pencil_spreads", {{"object", object}, {"focus", behind.front()}}};
+  return {"walk.space_pencil_parallel", {{"object", object}}};
+}
+
+/// What `changed` made of the matrix. `object`: at which surface, but for a transfer.
+Message of_matrix(const Timeline& timeline, Line line, const PencilChanged& changed, const std::string& object) {
+  if (!changed.system) return {"walk.pencil_lost", {}};
+  return timeline.of_strip() && changed.system->is_unmixed() ? of_plan(line, changed, object)
+                                                             : of_space(line, changed, object);
 }
 
 }  // namespace
@@ -52,7 +83,7 @@ std::optional<Message> pencil_message(const Scene& scene, const Timeline& timeli
         if (timeline.of_strip()) return Message{"walk.pencil_formed", {{"cell", pixel.column}}};
         return Message{"walk.image_pencil_formed", {{"column", pixel.column}, {"row", pixel.row}}};
       },
-      [&](const PencilChanged& changed) -> Told { return of_matrix(event.line, changed, shaded()); },
+      [&](const PencilChanged& changed) -> Told { return of_matrix(timeline, event.line, changed, shaded()); },
       [&](const ShadeCalled& called) -> Told {
         if (called.missed) return Message{"walk.pencil_missed", {{"colour", called.background}}};
         const int met = ray(timeline.current_ray(position)).object;

@@ -442,13 +442,19 @@ struct PartAdded {
 
 /// transfer_pencil, reflect_pencil, refract_pencil: what the matrix from EYE has become.
 struct PencilChanged {
-  int ray;                              ///< the axis, or the one that leaves the surface
-  std::optional<PencilSystem> system;   ///< none where the axis has left the plan, or the surface's own normal
-  PencilSystem before{}, by{};          ///< system = by * before
-  double along = 0;                     ///< transfer_pencil: the distance
-  double curvature = 0, cos_in = 1;     ///< else: of the surface in the plan, towards the ray; of the angle to it
+  int ray;                               ///< the axis, or the one that leaves the surface
+  std::optional<PencilSystem> system{};  ///< none where the axis does not leave as the surface itself sends it
+  double along = 0;                      ///< transfer_pencil: the distance
+  double curvature = 0, cos_in = 1;  ///< else: of the surface in the plane of incidence, towards the ray; of the angle
   std::optional<SnellNumbers> snell{};  ///< refract_pencil
 };
+/// In the plan: what the matrix was multiplied by.
+[[nodiscard]] inline PencilMatrix step_of(const PencilChanged& changed, Line line) {
+  if (line == Line::transfer_pencil) return pencil_transfer(changed.along);
+  if (!changed.snell) return pencil_mirror(ConePlane::of_incidence, changed.curvature, changed.cos_in);
+  const SnellNumbers& snell = *changed.snell;
+  return pencil_refraction(ConePlane::of_incidence, changed.curvature, snell.n1, snell.n2, snell.cos_in, snell.cos_out);
+}
 
 using EventDetail = std::variant<PixelBegun, RayFormed, RayNotFormed, Found, Decided, ShadeCalled, ShadeComputed,
                                  PixelPut, BackgroundAdded, EmissionAdded, LightAdded, DirectionChosen, SurvivalDecided,

@@ -7,11 +7,6 @@ namespace raywalk {
 
 namespace detail {
 
-template <class AnyRay>
-[[nodiscard]] bool is_in_plan(const AnyRay& ray) {
-  return ray.origin.z == 0 && ray.direction.z == 0;
-}
-
 /// Whether a ray leaves as the surface itself sends it: not by an interpolated normal or a relief, nor drawn at random.
 [[nodiscard]] inline bool leaves_as(const Vec3d& direction, const std::optional<Vec3d>& sent) {
   constexpr double rounding = 1e-5;  // of 24 bits
@@ -22,18 +17,15 @@ template <class AnyRay>
 
 template <class Policy>
 auto PencilTracer<Policy>::form_pencil(const Pixel& pixel) -> Pencil {
-  Pencil primary{this->form_primary_ray(pixel), std::nullopt};
-  if (detail::is_in_plan(primary.axis.ray)) primary.M = PencilSystem{};
-  return primary;
+  return {this->form_primary_ray(pixel), PencilSystem{}};
 }
 
 template <class Policy>
 auto PencilTracer<Policy>::transfer(int depth, const Pencil& pencil, const Hit<T>& hit) -> std::optional<PencilSystem> {
-  PencilChanged changed{pencil.axis.number, {}};
+  PencilChanged changed{pencil.axis.number};
   if (pencil.M) {
     changed.along = static_cast<double>(hit.t) * length(Vec3d(pencil.axis.ray.direction));
-    changed.before = *pencil.M, changed.by = transferred(changed.along);
-    changed.system = changed.by * changed.before;
+    changed.system = transferred(changed.along) * *pencil.M;
   }
   note(Line::transfer_pencil, depth, [&] { return changed; });
   return changed.system;
@@ -50,14 +42,12 @@ auto PencilTracer<Policy>::surface_at(const TreeRay& axis, const Hit<T>& hit) co
 template <class Policy>
 auto PencilTracer<Policy>::reflect_pencil(int depth, const std::optional<PencilSystem>& M, const TreeRay& axis,
                                           const Hit<T>& hit, const TreeRay& mirrored) -> Pencil {
-  PencilChanged changed{mirrored.number, {}};
-  if (M && detail::is_in_plan(mirrored.ray)) {
+  PencilChanged changed{mirrored.number};
+  if (M) {
     const PencilSurface surface = surface_at(axis, hit);
-    const Vec3d sent = reflect(normalize(Vec3d(axis.ray.direction)), surface.normal);
-    if (detail::leaves_as(Vec3d(mirrored.ray.direction), sent)) {
+    if (detail::leaves_as(Vec3d(mirrored.ray.direction), reflect(surface.axis, surface.normal))) {
       changed.curvature = surface.curvature, changed.cos_in = surface.cos_in;
-      changed.before = *M, changed.by = mirrored_by(surface);
-      changed.system = changed.by * changed.before;
+      changed.system = mirrored_by(surface) * *M;
     }
   }
   note(Line::reflect_pencil, depth, [&] { return changed; });
@@ -68,16 +58,15 @@ template <class Policy>
 auto PencilTracer<Policy>::refract_pencil(int depth, const std::optional<PencilSystem>& M, const TreeRay& axis,
                                           const Hit<T>& hit, const Refraction<T>& at, const TreeRay& refracted)
     -> Pencil {
-  PencilChanged changed{refracted.number, {}};
-  if (M && detail::is_in_plan(refracted.ray)) {
+  PencilChanged changed{refracted.number};
+  if (M) {
     const PencilSurface surface = surface_at(axis, hit);
-    const Vec3d along = normalize(Vec3d(axis.ray.direction));
-    const auto exact = refraction_at(along, surface.normal, static_cast<double>(at.n1), static_cast<double>(at.n2));
-    if (detail::leaves_as(Vec3d(refracted.ray.direction), refract(along, surface.normal, exact))) {
+    const auto exact =
+        refraction_at(surface.axis, surface.normal, static_cast<double>(at.n1), static_cast<double>(at.n2));
+    if (detail::leaves_as(Vec3d(refracted.ray.direction), refract(surface.axis, surface.normal, exact))) {
       changed.snell = snell_numbers(exact);
       changed.curvature = surface.curvature, changed.cos_in = surface.cos_in;
-      changed.before = *M, changed.by = refracted_by(surface, exact.n1, exact.n2, exact.cos_out);
-      changed.system = changed.by * changed.before;
+      changed.system = refracted_by(surface, exact.n1, exact.n2, exact.cos_out) * *M;
     }
   }
   note(Line::refract_pencil, depth, [&] { return changed; });

@@ -52,7 +52,7 @@ class PencilTracer : Tracer<Policy> {
  private:
   struct Pencil {
     TreeRay axis;
-    std::optional<PencilSystem> M;  ///< none once the axis has left the plan
+    std::optional<PencilSystem> M;  ///< none once the axis has left otherwise than as a surface sends it
   };
 
   /// SHADE PENCIL (DEPTH, RTNSHADE): the light that leaves the hit against the axis' direction.

@@ -6,12 +6,18 @@
 #include "trace/optics.h"
 #include "trace/ray_differential.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
+#include <optional>
 
 #include "support/catch.h"
+#include "trace/pencil_derivatives.h"
 
 using namespace raywalk;
+using test::Derivatives;
+using test::difference;
 
 namespace {
 
@@ -150,19 +156,46 @@ TEST_CASE("a flat mirror changes nothing but left and right") {
   CHECK_FALSE(focus_of_parallel(flat).has_value());
 }
 
-TEST_CASE("a surface has its curvatures towards the ray, in the plan and across it") {
-  struct Point {
-    Vec3d normal;
-  };
-  // As an ellipsoid's, that turns its normal by one curvature along the plan and by another one upright.
-  struct Bent {
-    double in_plan, upright;
-    [[nodiscard]] Vec3d normal_derivative(int, const Point&, int, double, const Vec3d& along) const {
-      return {in_plan * along.x, in_plan * along.y, upright * along.z};
+namespace {
+
+struct Point {
+  Vec3d normal;
+};
+/// A surface about a point of it, whose normal turns by this much on the way along it: as two curvatures do at right
+/// angles to each other, the first of them this way.
+struct Bent {
+  Vec3d way, other;
+  double curvature, upright;
+
+  [[nodiscard]] Vec3d normal_derivative(int /*primitive*/, const Point& /*at*/, int /*part*/, double /*time*/,
+                                        const Vec3d& along) const {
+    return curvature * dot(along, way) * way + upright * dot(along, other) * other;
+  }
+};
+
+/// Directions, and numbers of -1 to 1, of no pattern.
+class Numbers {
+ public:
+  double next() {
+    state_ = state_ * 6364136223846793005U + 1442695040888963407U;
+    return static_cast<double>(state_ >> 11U) * 0x1p-52 - 1;
+  }
+  Vec3d direction() {
+    for (;;) {
+      const Vec3d d(next(), next(), next());
+      if (const double size = length(d); size > 0.1 && size < 1) return d / size;
     }
-  };
-  const Bent bent{0.5, 2};
+  }
+
+ private:
+  std::uint64_t state_ = 1987;
+};
+
+}  // namespace
+
+TEST_CASE("a surface has its curvatures towards the ray, in the plan and across it") {
   const Point point{{0.6, 0.8, 0}};
+  const Bent bent{{-0.8, 0.6, 0}, {0, 0, 1}, 0.5, 2};
   const Vec3d along = normalize(Vec3d(-1, -0.2, 0));
   const double cosine = -dot(along, point.normal);
   for (const bool from_outside : {true, false}) {
@@ -172,14 +205,102 @@ TEST_CASE("a surface has its curvatures towards the ray, in the plan and across 
     CHECK(met.cos_in == Approx(cosine).epsilon(1e-15));
     CHECK(met.curvature == Approx(side * 0.5).epsilon(1e-15));
     CHECK(met.upright == Approx(side * 2).epsilon(1e-15));
+    CHECK(met.twist == 0);
     const PencilSystem mirror = mirrored_by(met), glass = refracted_by(met, 1, 1.5, 0.9);
-    CHECK(mirror.plan.c == pencil_mirror(ConePlane::of_incidence, side * 0.5, met.cos_in).c);
-    CHECK(mirror.across.c == pencil_mirror(ConePlane::across, side * 2, met.cos_in).c);
-    CHECK(glass.plan.c == pencil_refraction(ConePlane::of_incidence, side * 0.5, 1, 1.5, met.cos_in, 0.9).c);
-    CHECK(glass.across.c == pencil_refraction(ConePlane::across, side * 2, 1, 1.5, met.cos_in, 0.9).c);
+    CHECK((mirror.is_unmixed() && glass.is_unmixed()));
+    CHECK(mirror.plan.c == Approx(pencil_mirror(ConePlane::of_incidence, side * 0.5, met.cos_in).c));
+    CHECK(mirror.across.c == Approx(pencil_mirror(ConePlane::across, side * 2, met.cos_in).c));
+    CHECK(glass.plan.c == Approx(pencil_refraction(ConePlane::of_incidence, side * 0.5, 1, 1.5, met.cos_in, 0.9).c));
+    CHECK(glass.across.c == Approx(pencil_refraction(ConePlane::across, side * 2, 1, 1.5, met.cos_in, 0.9).c));
     // What comes first acts first.
     const PencilSystem later = transferred(3) * mirror;
     CHECK(later.plan({1, 0}).offset == Approx(mirror.plan.a + 3 * mirror.plan.c).epsilon(1e-15));
     CHECK(later.across({1, 0}).offset == Approx(mirror.across.a + 3 * mirror.across.c).epsilon(1e-15));
   }
+}
+
+TEST_CASE("in space the 4 x 4 matrix is the derivative of rays, however surfaces lie and are curved") {
+  Numbers numbers;
+  double worst = 0;
+  int mirrored = 0, refracted = 0, folded = 0;
+  for (int round = 0; round < 300; ++round) {
+    Vec3d axis = numbers.direction();
+    if (round == 0) axis = {0, 0, 1};  // straight up, where no side is level of itself
+    Derivatives beside(axis);
+    PencilSystem system;
+    double n = 1;
+    for (int surface = 0; surface < 4; ++surface) {
+      const double distance = 1 + 0.5 * numbers.next();
+      // As to a plane across the axis.
+      beside.each([&](const auto& one) { return transfer(one, axis, distance, axis); });
+      system = transferred(distance) * system;
+      Vec3d outward = numbers.direction();
+      if (round == 1)
+        outward = surface % 2 == 0 ? axis : -axis;  // along the normal, where no plane is that of incidence
+      if (std::abs(dot(outward, axis)) < 0.1) continue;
+      const Point point{outward};
+      const Vec3d way = normalize(cross(outward, numbers.direction()));
+      const Bent bent{way, cross(outward, way), numbers.next(), numbers.next()};
+      const PencilSurface met = pencil_surface(bent, 0, 0, point, 0.0, axis);
+      CHECK(dot(met.normal, axis) < 0);
+      beside.each([&](const auto& one) { return transfer(one, axis, 0.0, met.normal); });
+      const auto turn = [&](const RayDerivative<double>& one) {
+        return (dot(outward, axis) < 0 ? 1.0 : -1.0) * bent.normal_derivative(0, point, 0, 0, one.dP);
+      };
+      const double other = n == 1 ? 1.5 : 1;
+      const auto at = refraction_at(axis, met.normal, n, other);
+      const auto bent_axis = surface % 2 == 0 ? refract(axis, met.normal, at) : std::nullopt;
+      if (bent_axis) {
+        beside.each([&](const auto& one) { return refract(one, axis, met.normal, turn(one), at); });
+        system = refracted_by(met, n, other, at.cos_out) * system;
+        axis = normalize(*bent_axis), n = other;
+        ++refracted;
+      } else {
+        beside.each([&](const auto& one) { return reflect(one, axis, met.normal, turn(one)); });
+        system = mirrored_by(met) * system;
+        axis = normalize(reflect(axis, met.normal));
+        ++mirrored;
+      }
+      worst = std::max(worst, difference(system, beside.system(axis)));
+    }
+    // Where the determinant of the offsets is 0, rays of two slopes meet the axis.
+    for (const std::optional<double>& focus : foci_of_point(system)) {
+      REQUIRE(focus);
+      const PencilSystem there = transferred(*focus) * system;
+      const Vec2d axes = ellipse_from_point(there);
+      CHECK(axes.y <= 1e-9 * (axes.x + std::abs(*focus)));
+      ++folded;
+    }
+    // All round the axis.
+    const Vec2d axes = ellipse_from_point(system);
+    double longest = 0, shortest = 1e300;
+    for (int i = 0; i < 3600; ++i) {
+      const double angle = i * std::numbers::pi / 1800, left = std::cos(angle), up = std::sin(angle);
+      const double away = std::hypot(system.plan.b * left + system.left_from_up.b * up,
+                                     system.up_from_left.b * left + system.across.b * up);
+      longest = std::max(longest, away), shortest = std::min(shortest, away);
+    }
+    CHECK(axes.x == Approx(longest).epsilon(1e-5));
+    CHECK(axes.y == Approx(shortest).margin(2e-3 * axes.x));
+  }
+  CHECK(worst < 1e-10);
+  CHECK(mirrored > 300);
+  CHECK(refracted > 300);
+  CHECK(folded == 600);
+}
+
+TEST_CASE("rays that were parallel, or start together, have their foci in space too") {
+  PencilSystem system;  // at EYE itself
+  CHECK(*foci_of_point(system)[0] == 0);
+  CHECK(*foci_of_point(system)[1] == 0);
+  // A hollow mirror of radius 2, from its focus: parallel both ways.
+  const PencilSurface hollow{{1, 0, 0}, {-1, 0, 0}, {0, 0, 1}, 1, -0.5, -0.5, 0};
+  system = mirrored_by(hollow) * transferred(1);
+  CHECK_FALSE(foci_of_point(system)[0]);
+  CHECK_FALSE(foci_of_point(system)[1]);
+  // A gutter in its place: parallel one way, and the other way as from a flat mirror.
+  const PencilSurface gutter{{1, 0, 0}, {-1, 0, 0}, {0, 0, 1}, 1, -0.5, 0, 0};
+  system = mirrored_by(gutter) * transferred(1);
+  CHECK_FALSE(foci_of_point(system)[0]);
+  CHECK(*foci_of_point(system)[1] == -1);
 }

@@ -455,22 +455,40 @@ class EquationWriter {
     row(Kind::numbers, "a = ", m.a, "  b = ", m.b);
     row(Kind::numbers, "c = ", m.c, "  d = ", m.d);
   }
-  /// In PENCIL TRACING: by what it was multiplied, and what it is now.
+  /// In PENCIL TRACING: in the plan by what it was multiplied, and what it is now.
   void write(const PencilChanged& changed) {
     if (!changed.system) return;
     const bool transfers = event_->line == Line::transfer_pencil;
+    const PencilSystem& M = *changed.system;
+    const bool in_plan = timeline_.of_strip() && M.is_unmixed();
     const std::string_view by = transfers ? "T" : event_->line == Line::reflect_pencil ? "R" : "S";
     row(Kind::formula, "M′ = ", by, " M");
-    const PencilMatrix& step = changed.by.plan;
-    row(Kind::numbers, by, " = [", step.a, "  ", step.b, " ;  ", step.c, "  ", step.d, "]");
+    if (in_plan) {
+      const PencilMatrix step = step_of(changed, event_->line);
+      row(Kind::numbers, by, " = [", step.a, "  ", step.b, " ;  ", step.c, "  ", step.d, "]");
+    }
     if (transfers)
       row(Kind::numbers, "t = ", changed.along);
     else
       row(Kind::numbers, "1 / r = ", changed.curvature, "  θ = ", angle_of_cosine(changed.cos_in), "°");
-    row(Kind::formula, "y′ = a y + b s,  s′ = c y + d s");
-    matrix(changed.system->plan);
-    const std::optional<double> focus = focus_of_point(changed.system->plan);
-    if (focus && !transfers) row(Kind::total, "f = −b / d = ", *focus);
+    if (in_plan) {
+      row(Kind::formula, "y′ = a y + b s,  s′ = c y + d s");
+      matrix(M.plan);
+      const std::optional<double> focus = focus_of_point(M.plan);
+      if (focus && !transfers) row(Kind::total, "f = −b / d = ", *focus);
+      return;
+    }
+    // Of offsets and slopes to the left, and of those up.
+    const auto rows = [&](const PencilMatrix& left, const PencilMatrix& right) {
+      row(Kind::numbers, left.a, "  ", left.b, "  ", right.a, "  ", right.b);
+      row(Kind::numbers, left.c, "  ", left.d, "  ", right.c, "  ", right.d);
+    };
+    row(Kind::formula, "(y, s, z, q)′ = M (y, s, z, q)");
+    rows(M.plan, M.left_from_up);
+    rows(M.up_from_left, M.across);
+    if (transfers) return;
+    for (const std::optional<double>& focus : foci_of_point(M))
+      if (focus) row(Kind::total, "f = ", *focus);
   }
 
   // ---- Beam and cone tracing
