@@ -35,6 +35,9 @@ Message of_plan(Line line, const PencilChanged& changed, const std::string& obje
           {{"object", object}, {"a", m.a}, {"b", m.b}, {"c", m.c}, {"d", m.d}, {"focus", -*focus}}};
 }
 
+/// By how much of an ellipse's axes a circle's may differ, of rounding.
+constexpr double alike = 1e-6;
+
 /// In space, where rays meet on two lines.
 Message of_space(Line line, const PencilChanged& changed, const std::string& object) {
   const bool transfers = line == Line::transfer_pencil;
@@ -49,6 +52,8 @@ Message of_space(Line line, const PencilChanged& changed, const std::string& obj
     if (!before.empty() && before.front() < changed.along)
       return {"walk.space_pencil_folded",
               {{"length", changed.along}, {"long", axes.x}, {"short", axes.y}, {"focus", before.front()}}};
+    if (axes.x - axes.y <= alike * axes.x)
+      return {"walk.space_pencil_round", {{"length", changed.along}, {"away", axes.x}}};
     return {"walk.space_pencil_transferred", {{"length", changed.along}, {"long", axes.x}, {"short", axes.y}}};
   }
   if (before.size() == 2)

@@ -281,7 +281,8 @@ std::string demo_help() {
       "A demo file has an action a line; lines that begin with # say nothing. a|b: one of these words, [a]: may be\n"
       "left out, LINE: a line of the pseudocode by its number: of rays 1 to {}, then those of paths, photons, "
       "radiosity,\n"
-      "beams and cones, to {}, FILE: a path, TEXT: the rest of the line. Places are in pixels of the plan.\n\n",
+      "beams, cones and pencils, to {}, FILE: a path, TEXT: the rest of the line. Places are in pixels of the "
+      "plan.\n\n",
       line_count, all_lines_count);
   for (const std::string& line : lines) text += line + "\n";
   return text;

@@ -126,13 +126,24 @@ inline constexpr std::array<std::string_view, 24> cone_messages{"walk.cone_forme
                                                                 "walk.last_share_added"};
 
 /// Of PENCIL TRACING alone.
-inline constexpr std::array<std::string_view, 17> pencil_messages{
-    "walk.pencil_formed",        "walk.image_pencil_formed",  "walk.pencil_transferred",
-    "walk.pencil_folded",        "walk.pencil_meets",         "walk.pencil_spreads",
-    "walk.pencil_parallel",      "walk.pencil_lost",          "walk.pencil_called",
-    "walk.pencil_missed",        "walk.pencil_shaded",        "walk.space_pencil_transferred",
-    "walk.space_pencil_folded",  "walk.space_pencil_meets",   "walk.space_pencil_half_meets",
-    "walk.space_pencil_spreads", "walk.space_pencil_parallel"};
+inline constexpr std::array<std::string_view, 18> pencil_messages{"walk.pencil_formed",
+                                                                  "walk.image_pencil_formed",
+                                                                  "walk.pencil_transferred",
+                                                                  "walk.pencil_folded",
+                                                                  "walk.pencil_meets",
+                                                                  "walk.pencil_spreads",
+                                                                  "walk.pencil_parallel",
+                                                                  "walk.pencil_lost",
+                                                                  "walk.pencil_called",
+                                                                  "walk.pencil_missed",
+                                                                  "walk.pencil_shaded",
+                                                                  "walk.space_pencil_round",
+                                                                  "walk.space_pencil_transferred",
+                                                                  "walk.space_pencil_folded",
+                                                                  "walk.space_pencil_meets",
+                                                                  "walk.space_pencil_half_meets",
+                                                                  "walk.space_pencil_spreads",
+                                                                  "walk.space_pencil_parallel"};
 
 /// Of scenes under a sky.
 inline constexpr std::array<std::string_view, 10> sky_messages{

@@ -26,7 +26,8 @@ struct Derivatives {
   [[nodiscard]] PencilSystem system(const Vec3d& axis) const {
     const auto made = [&](const RayDerivative<double>& offset, const RayDerivative<double>& slope, const Vec3d& side) {
       const auto one = transfer(offset, axis, 0.0, axis), other = transfer(slope, axis, 0.0, axis);
-      return PencilMatrix{dot(one.dP, side), dot(other.dP, side), dot(one.dD, side), dot(other.dD, side)};
+      return PencilMatrix{raywalk::dot(one.dP, side), raywalk::dot(other.dP, side), raywalk::dot(one.dD, side),
+                          raywalk::dot(other.dD, side)};
     };
     const PencilSides sides = sides_of(axis);
     return {made(left, leftwards, sides.left), made(up, upwards, sides.up), made(up, upwards, sides.left),

@@ -174,7 +174,7 @@ struct Bent {
 };
 
 /// Directions, and numbers of -1 to 1, of no pattern.
-class Numbers {
+class Unpatterned {
  public:
   double next() {
     state_ = state_ * 6364136223846793005U + 1442695040888963407U;
@@ -220,7 +220,7 @@ TEST_CASE("a surface has its curvatures towards the ray, in the plan and across 
 }
 
 TEST_CASE("in space the 4 x 4 matrix is the derivative of rays, however surfaces lie and are curved") {
-  Numbers numbers;
+  Unpatterned numbers;
   double worst = 0;
   int mirrored = 0, refracted = 0, folded = 0;
   for (int round = 0; round < 300; ++round) {
