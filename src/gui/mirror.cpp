@@ -94,10 +94,8 @@ Outline outline_with_commands(const State& state) {
 }
 
 std::string outline_json(const State& state) {
-  const nlohmann::ordered_json json{{"language", state.appearance.language.code()},
-                                    {"items", json_of(outline_with_commands(state))}};
   // Paths need not be UTF-8.
-  return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  return json_of(outline_with_commands(state)).dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 }  // namespace raywalk

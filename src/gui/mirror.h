@@ -15,7 +15,7 @@ inline constexpr std::string_view choosing_files = "choose-files";
 /// the others in those of their menus.
 [[nodiscard]] Outline outline_with_commands(const State& state);
 
-/// It as JSON: `language`, and `items`, each with the members of OutlineItem that are not as by default.
+/// It as JSON: its items, each with the members of OutlineItem that are not as by default.
 [[nodiscard]] std::string outline_json(const State& state);
 
 }  // namespace raywalk

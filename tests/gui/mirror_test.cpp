@@ -67,7 +67,7 @@ TEST_CASE("while an answer is waited for, the outline offers no commands") {
   update(state, action::AskSaveAs{});
   CHECK(buttons(state).empty());
   const auto json = nlohmann::ordered_json::parse(outline_json(state));
-  const auto& field = json["items"][0]["items"][0];
+  const auto& field = json[0]["items"][0];
   CHECK(field["role"] == "path");
   CHECK(field["value"] == "scene.toml");
 }
@@ -75,9 +75,7 @@ TEST_CASE("while an answer is waited for, the outline offers no commands") {
 TEST_CASE("as JSON an outline keeps its words and its order, and leaves out what is usual") {
   const State state = classic_in_english();
   const Outline outlined = outline_with_commands(state);
-  const auto all = nlohmann::ordered_json::parse(outline_json(state));
-  CHECK(all["language"] == "en");
-  const auto& json = all["items"];
+  const auto json = nlohmann::ordered_json::parse(outline_json(state));
   REQUIRE(json.size() == outlined.size());
   for (std::size_t i = 0; i < outlined.size(); ++i) {
     CHECK(json[i]["name"] == outlined[i].name);

@@ -31,7 +31,7 @@ async function compose(visit, parts, becomes) {
 // Of a field in the window in words.
 const value_of = (visit, key) => visit.page.evaluate((key) => {
   const find = (items) => items.map((item) => item.key === key ? item : find(item.items ?? [])).find((found) => found);
-  return find(JSON.parse(window.raywalk.ccall('page_outline', 'string')).items)?.value;
+  return find(JSON.parse(window.raywalk.ccall('page_outline', 'string')))?.value;
 }, key);
 
 test('a number that is composed answers a question once, and what is given up leaves nothing', only_in_chromium, async () => {

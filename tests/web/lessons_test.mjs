@@ -178,7 +178,7 @@ Object.keys(means).forEach((by, i) => test(`every lesson by ${by}, in at most 25
   await page.close();
 }));
 
-test('the page\'s own parts speak the language that is chosen in the drawing', { todo: 'page.js hears of it only while the text is open' }, async () => {
+test('the page\'s own parts speak the language that is chosen in the drawing', async () => {
   const visit = await Visit.begin(browser, server.address);
   await visit.click('language');
   await visit.until((now) => now.language === 'es');

@@ -27,6 +27,7 @@
 
 // clang-format off
 EM_JS(void, raywalk_fail, (const char* text), { Module["fail"](UTF8ToString(text)); });
+EM_JS(void, raywalk_speaks, (const char* language), { Module["speaks"](UTF8ToString(language)); });
 // clang-format on
 
 namespace raywalk {
@@ -88,6 +89,17 @@ void guarded(const auto& work) {
 
 Loop& page_loop() { return *visualiser().loop; }
 
+namespace {
+
+/// What the page says itself is said in the program's language.
+void tell_language() {
+  static std::string told;
+  if (const std::string_view now = page_loop().state().appearance.language.code(); now != told)
+    raywalk_speaks((told = now).c_str());
+}
+
+}  // namespace
+
 }  // namespace raywalk
 
 using namespace raywalk;
@@ -100,6 +112,7 @@ EMSCRIPTEN_KEEPALIVE double page_turn() {
   guarded([&] {
     Loop& loop = page_loop();
     if (loop.turn()) next = loop.patience();
+    tell_language();
   });
   return next;
 }

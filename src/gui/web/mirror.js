@@ -3,10 +3,10 @@
 'use strict';
 
 class Mirror {
-  // `ask`: the outline as JSON; `act`: does what an item does, with what was typed, and returns what is wrong; `speaks` is
-  // told the language; `shown` is called after it is shown or hidden.
-  constructor(place, { ask, act, speaks, shown }) {
-    Object.assign(this, { place, ask, act, speaks, shown, last: '' });
+  // `ask`: the outline as JSON; `act`: does what an item does, with what was typed, and returns what is wrong; `shown` is
+  // called after it is shown or hidden.
+  constructor(place, { ask, act, shown }) {
+    Object.assign(this, { place, ask, act, shown, last: '' });
     this.open = false;
   }
 
@@ -25,10 +25,8 @@ class Mirror {
     if (now === this.last) return;
     const told = this.last;
     this.last = now;
-    const { language, items } = JSON.parse(now);
-    this.speaks(language);
     this.news = [];
-    this.fill(this.place.querySelector('.outline'), items);
+    this.fill(this.place.querySelector('.outline'), JSON.parse(now));
     // Of what comes with its text screen readers say nothing: this was there before.
     if (told && this.news.length > 0) Mirror.say(this.place.querySelector('.unseen[role]'), this.news.join('\n'));
   }

@@ -427,7 +427,6 @@ new Touch(canvas, {
 
 const mirror = new Mirror(text_place, {
   ask: () => call('page_outline'),
-  speaks: (now) => name_parts(now),
   act: (does, typed) => {
     const wrong = call('page_do', does, typed);
     turn();
@@ -609,6 +608,7 @@ async function start() {
     arguments: options,
     fail,
     copy,
+    speaks: name_parts,
     chooseFiles: choose_files,
     onAbort: fail,
     preRun: [(module) => {
@@ -621,7 +621,6 @@ async function start() {
   if (failed) return;
   running = true;
   says.hidden = true;
-  name_parts(language);
   if (less_motion.matches) call('page_act', 'tweens off');
   canvas.focus();
   soon();
