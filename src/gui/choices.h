@@ -28,7 +28,7 @@ template <class Choices, class Value>
 /// A field for one of `choices`, named by `id_of`: by default each is the id of its own text. Returns whether `value`
 /// was changed.
 template <class Choices, class Value, class IdOf = std::identity>
-bool pick_among(const Ui& ui, Form& form, const FormLabel& label, const Choices& choices, Value& value,
+bool pick_among(const Ui& ui, Form& form, const KeyLabel& label, const Choices& choices, Value& value,
                 const IdOf& id_of = {}) {
   std::vector<std::string> names;
   for (const auto& choice : choices) names.emplace_back(text(id_of(choice), ui.state.appearance.language));

@@ -19,23 +19,6 @@
 
 namespace raywalk {
 
-std::string FormLabel::id_in(Language language) const {
-  if (table_.empty()) return std::string(id_);
-  const std::string key(id_), own = "property." + std::string(table_) + "_" + key;
-  return language.catalogue().find(own) != nullptr ? own : "property." + key;
-}
-
-std::string FormLabel::words(Language language) const {
-  const std::string id = id_in(language);
-  if (!table_.empty() && language.catalogue().find(id) == nullptr) return std::string(id_);
-  return fill(id, language, {{"number", number_}});
-}
-
-std::string FormLabel::hint(Language language) const {
-  const std::string_view known = explanation(id_in(language), language);
-  return std::string(known.empty() ? sentence_ : known);
-}
-
 namespace {
 
 /// A number as shown in a field, with a decimal point.
@@ -82,14 +65,14 @@ float default_label_width(const Ui& ui, float width) { return std::min(ui.px(166
 Form::Form(const Ui& ui, FormMemory& memory, float width)
     : ui_(ui), memory_(memory), width_(width), label_width_(default_label_width(ui, width)) {}
 
-void Form::heading(const FormLabel& of) {
+void Form::heading(const KeyLabel& of) {
   ImGui::Dummy({1, ui_.px(2)});
   push_font(ui_.fonts.strong);
   label(ui_.colours.text, of.words(ui_.state.appearance.language));
   pop_font();
 }
 
-void Form::row(const FormLabel& of) {
+void Form::row(const KeyLabel& of) {
   name_ = "property/" + of.words(ui_.state.appearance.language);
   refused_in_row_ = false;
   const float left = ImGui::GetCursorPosX();
@@ -200,7 +183,7 @@ bool Form::drag(const std::string& id, double& value, double step, double least,
   return is_change;
 }
 
-bool Form::number(const FormLabel& of, double& value, double step, double least, double most) {
+bool Form::number(const KeyLabel& of, double& value, double step, double least, double most) {
   row(of);
   const bool now = drag("##" + name_, value, step, least, most, width_ - label_width_);
   ui_.publish(name_);
@@ -208,7 +191,7 @@ bool Form::number(const FormLabel& of, double& value, double step, double least,
   return now;
 }
 
-bool Form::whole(const FormLabel& of, int& value, int least, int most, bool at_enter) {
+bool Form::whole(const KeyLabel& of, int& value, int least, int most, bool at_enter) {
   row(of);
   const std::string id = "##" + name_;
   before_field(id, width_ - label_width_);
@@ -225,7 +208,7 @@ bool Form::whole(const FormLabel& of, int& value, int least, int most, bool at_e
   return is_change;
 }
 
-bool Form::vector(const FormLabel& of, double* values, int count, double step, double least, double most) {
+bool Form::vector(const KeyLabel& of, double* values, int count, double step, double least, double most) {
   row(of);
   const float gap = ui_.px(4);
   const float each = (width_ - label_width_ - gap * static_cast<float>(count - 1)) / static_cast<float>(count);
@@ -241,7 +224,7 @@ bool Form::vector(const FormLabel& of, double* values, int count, double step, d
   return now;
 }
 
-bool Form::colour(const FormLabel& of, Rgbd& value, double most) {
+bool Form::colour(const KeyLabel& of, Rgbd& value, double most) {
   row(of);
   const float gap = ui_.px(4), swatch = ImGui::GetFrameHeight();
   const float each = (width_ - label_width_ - swatch - 3 * gap) / 3;
@@ -284,7 +267,7 @@ bool Form::colour(const FormLabel& of, Rgbd& value, double most) {
   return now;
 }
 
-bool Form::flag(const FormLabel& of, bool& value) {
+bool Form::flag(const KeyLabel& of, bool& value) {
   name_ = "property/" + of.words(ui_.state.appearance.language);
   const bool now = ImGui::Checkbox(("##" + name_).c_str(), &value);
   ui_.publish(name_);
@@ -297,7 +280,7 @@ bool Form::flag(const FormLabel& of, bool& value) {
   return is_change;
 }
 
-bool Form::pick(const FormLabel& of, const std::vector<std::string>& words, int& chosen) {
+bool Form::pick(const KeyLabel& of, const std::vector<std::string>& words, int& chosen) {
   row(of);
   ImGui::SetNextItemWidth(width_ - label_width_);
   const auto at = static_cast<std::size_t>(std::clamp(chosen, 0, static_cast<int>(words.size()) - 1));
@@ -317,14 +300,14 @@ bool Form::pick(const FormLabel& of, const std::vector<std::string>& words, int&
   return now;
 }
 
-bool Form::pick(const FormLabel& of, const std::vector<std::string_view>& names, int& chosen) {
+bool Form::pick(const KeyLabel& of, const std::vector<std::string_view>& names, int& chosen) {
   std::vector<std::string> words;
   for (const std::string_view name : names)
     words.emplace_back(family_text("choice", name, ui_.state.appearance.language));
   return pick(of, words, chosen);
 }
 
-bool Form::text(const FormLabel& of, std::string& value) {
+bool Form::text(const KeyLabel& of, std::string& value) {
   row(of);
   const std::string id = "##" + name_;
   before_field(id, width_ - label_width_);

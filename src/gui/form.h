@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gui/ui.h"
-#include "view/text/text.h"
+#include "view/text/key_label.h"
 
 #include <string>
 #include <variant>
@@ -22,30 +22,6 @@ struct FormMemory {
   double before = 0;    ///< the number when the field was entered
 };
 
-/// The words beside a field, and what they mean.
-class FormLabel {
- public:
-  FormLabel(const char* id) : id_(id) {}       // NOLINT: stands for its words
-  FormLabel(std::string_view id) : id_(id) {}  // NOLINT
-  /// {number} is the number.
-  FormLabel(std::string_view id, int number) : id_(id), number_(number) {}
-  /// A key of a scene: "property.TABLE_KEY" where there is such a text, else "property.KEY"; without either it is said
-  /// by its name and the schema's sentence.
-  FormLabel(std::string_view table, std::string_view key, std::string_view sentence)
-      : id_(key), table_(table), sentence_(sentence) {}
-  FormLabel(const FormLabel& list, int number) : FormLabel(list) { number_ = number; }
-  [[nodiscard]] std::string words(Language language) const;
-  /// May be empty.
-  [[nodiscard]] std::string hint(Language language) const;
-
- private:
-  [[nodiscard]] std::string id_in(Language language) const;
-
-  std::string_view id_;
-  std::string_view table_{}, sentence_{};
-  int number_ = 0;
-};
-
 /// Rows of a label and fields. Each field changes its value in place and returns whether it did; numbers are kept
 /// within the limits of the scene format: input beyond them is refused with a message below the field, and discarded
 /// when the field is left.
@@ -56,28 +32,28 @@ class Form {
   /// Focuses the next field drawn.
   void focus_next() { focus_ = true; }
 
-  void heading(const FormLabel& label);
+  void heading(const KeyLabel& label);
   /// `step`: change for each unit of dragging.
-  bool number(const FormLabel& label, double& value, double step, double least, double most);
+  bool number(const KeyLabel& label, double& value, double step, double least, double most);
   /// `at_enter`: input takes effect when it is finished, not digit by digit.
-  bool whole(const FormLabel& label, int& value, int least, int most, bool at_enter = false);
+  bool whole(const KeyLabel& label, int& value, int least, int most, bool at_enter = false);
   /// x, y and z, or the first `count` of them.
-  bool vector(const FormLabel& label, double* values, int count, double step, double least, double most);
+  bool vector(const KeyLabel& label, double* values, int count, double step, double least, double most);
   /// Linear RGB as three numbers, and a field of its colour that opens a palette.
-  bool colour(const FormLabel& label, Rgbd& value, double most);
-  bool flag(const FormLabel& label, bool& value);
+  bool colour(const KeyLabel& label, Rgbd& value, double most);
+  bool flag(const KeyLabel& label, bool& value);
   /// One of a few words; `chosen` is its index.
-  bool pick(const FormLabel& label, const std::vector<std::string>& words, int& chosen);
+  bool pick(const KeyLabel& label, const std::vector<std::string>& words, int& chosen);
   /// The same of words that scene files use, shown in the language of the window.
-  bool pick(const FormLabel& label, const std::vector<std::string_view>& names, int& chosen);
+  bool pick(const KeyLabel& label, const std::vector<std::string_view>& names, int& chosen);
   /// True once, when the typing has ended; `value` is then the new text.
-  bool text(const FormLabel& label, std::string& value);
+  bool text(const KeyLabel& label, std::string& value);
 
   /// Whether the last change joins the previous one into one undo entry.
   [[nodiscard]] bool continues() const { return continues_; }
 
  private:
-  void row(const FormLabel& label);
+  void row(const KeyLabel& label);
   /// A field from here to `after_field`.
   void before_field(const std::string& field, float width);
   /// Around a field of a number: a comma typed into it is its decimal point.

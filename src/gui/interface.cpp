@@ -5,6 +5,7 @@
 #include "gui/style.h"
 #include "gui/widgets.h"
 #include "view/band/band.h"
+#include "view/document/keys.h"
 #include "view/lesson/lesson_panel.h"
 #include "view/walk/asked.h"
 
@@ -196,7 +197,7 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   fronts_pane(with, layout_.fronts, wishes.front, wishes.lesson > 0);
   if (folds) {
     folded_pane(with, "folded", layout_.folded);
-  } else if (PropertiesPane::shows(state)) {
+  } else if (shows_properties(state)) {
     properties_.draw(with, layout_.side, std::exchange(focus_properties_, false));
   } else {
     code_pane(with, layout_.side);

@@ -77,8 +77,6 @@ class PropertiesPane {
  public:
   /// `focus`: focuses the first field.
   void draw(const Ui& ui, const Rect& where, bool focus);
-  /// Whether the selection has properties, in the mode that edits them.
-  [[nodiscard]] static bool shows(const State& state);
 
  private:
   FormMemory memory_;

@@ -3,6 +3,7 @@
 #include "gui/panes.h"
 #include "gui/schema_form.h"
 #include "gui/widgets.h"
+#include "view/document/keys.h"
 #include "view/text/shown.h"
 #include "view/text/text.h"
 
@@ -64,34 +65,7 @@ void scene_rows(const Ui& ui, Form& form) {
   if (SchemaForm::draw(form, "limits", limits)) ui.act(action::SetLimits{limits, form.continues()});
 }
 
-std::string title_of(const Ui& ui, const Target& target) {
-  switch (target.kind) {
-    case TargetKind::object:
-    case TargetKind::radius:
-    case TargetKind::corner:
-    case TargetKind::edge:
-    case TargetKind::rotation:
-      return object_name(ui.state, target.index);
-    case TargetKind::light:
-      return light_name(ui.state, target.index);
-    case TargetKind::eye:
-    case TargetKind::view_direction:
-    case TargetKind::screen_height:
-    case TargetKind::screen_distance:
-    case TargetKind::cell:
-    case TargetKind::ray:
-    case TargetKind::nothing:
-      break;
-  }
-  return ui.say("object.eye") + ", " + ui.say("object.screen");
-}
-
 }  // namespace
-
-bool PropertiesPane::shows(const State& state) {
-  return state.walk.mode == Mode::move && state.plan.selected && exists(state, state.plan.selected) &&
-         state.plan.selected.kind != TargetKind::ray;
-}
 
 void PropertiesPane::draw(const Ui& ui, const Rect& where, bool focus) {
   const Pane pane(ui, "properties", where, ui.colours.panel, {ui.px(14), ui.px(10)});
@@ -101,7 +75,7 @@ void PropertiesPane::draw(const Ui& ui, const Rect& where, bool focus) {
   push_font(ui.fonts.title);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::PushClipRect(at, {at.x + width - edge - ui.px(8), at.y + edge}, true);
-  label(ui.colours.text, title_of(ui, target));
+  label(ui.colours.text, properties_title(ui.state));
   ImGui::PopClipRect();
   pop_font();
   ImGui::SetCursorScreenPos({at.x + width - edge, at.y});

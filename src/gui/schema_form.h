@@ -74,25 +74,25 @@ class SchemaForm {
   void complete(const T& /*value*/) {}
 
  private:
-  bool row(const FormLabel& label, const schema::Number& kind, double& value) {
+  bool row(const KeyLabel& label, const schema::Number& kind, double& value) {
     return std::isfinite(value) && form_.number(label, value, step_of(kind, value), least(kind), most(kind));
   }
-  bool row(const FormLabel& label, const schema::Whole& kind, int& value) {
+  bool row(const KeyLabel& label, const schema::Whole& kind, int& value) {
     return form_.whole(label, value, kind.low, kind.high);
   }
-  bool row(const FormLabel& label, const schema::Flag& /*kind*/, bool& value) { return form_.flag(label, value); }
+  bool row(const KeyLabel& label, const schema::Flag& /*kind*/, bool& value) { return form_.flag(label, value); }
   template <class T>
-  bool row(const FormLabel& label, const schema::Choice<T>& /*kind*/, T& value) {
+  bool row(const KeyLabel& label, const schema::Choice<T>& /*kind*/, T& value) {
     int chosen = static_cast<int>(value);
     if (!form_.pick(label, all_words<T>(), chosen)) return false;
     value = static_cast<T>(chosen);
     return true;
   }
-  bool row(const FormLabel& label, const schema::Colour& kind, Rgbd& value) {
+  bool row(const KeyLabel& label, const schema::Colour& kind, Rgbd& value) {
     return form_.colour(label, value, kind.number.high);
   }
   template <class T>
-  bool row(const FormLabel& label, const schema::Tuple& kind, T& value) {
+  bool row(const KeyLabel& label, const schema::Tuple& kind, T& value) {
     std::vector<double> numbers;
     double largest = 0;
     schema::each_number(value, [&](double& number) {
@@ -108,7 +108,7 @@ class SchemaForm {
     return true;
   }
   template <class T>
-  bool row(const FormLabel& label, const schema::Rows& kind, std::vector<T>& value) {
+  bool row(const KeyLabel& label, const schema::Rows& kind, std::vector<T>& value) {
     bool is_changed = false;
     int number = 0;
     for (T& each : value) is_changed |= row({label, ++number}, kind.row, each);
@@ -116,7 +116,7 @@ class SchemaForm {
   }
   // What a form has no field for: names, files, transforms, and the lists of a mesh.
   template <class Kind, class T>
-  bool row(const FormLabel& /*label*/, const Kind& /*kind*/, T& /*value*/) {
+  bool row(const KeyLabel& /*label*/, const Kind& /*kind*/, T& /*value*/) {
     return false;
   }
 
@@ -141,7 +141,7 @@ class SchemaForm {
 
   /// A flag: whether there is a value.
   template <class T>
-  void switch_on(const FormLabel& label, std::optional<T>& value) {
+  void switch_on(const KeyLabel& label, std::optional<T>& value) {
     bool is_there = value.has_value();
     if (!form_.flag(label, is_there)) return;
     is_changed_ = true;

@@ -1,5 +1,6 @@
 #include "gui/panes.h"
 #include "gui/widgets.h"
+#include "view/document/keys.h"
 
 #include <algorithm>
 #include <string_view>
@@ -19,7 +20,7 @@ void fronts_pane(const Ui& ui, const Rect& where, Front front, bool with_lesson)
       ui.act(action::ShowFront{each});
     x += extent.x + gap;
   };
-  choice(Front::code, "front-code", PropertiesPane::shows(ui.state) ? "command.edit_properties.label" : "front.code");
+  choice(Front::code, "front-code", shows_properties(ui.state) ? "command.edit_properties.label" : "front.code");
   choice(Front::tabs, "front-tabs", "menu.panels");
   if (with_lesson) choice(Front::lesson, "front-lesson", "command.lessons.label");
 }

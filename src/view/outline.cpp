@@ -2,6 +2,7 @@
 
 #include "view/bugs/bug_panel.h"
 #include "view/document/document.h"
+#include "view/document/keys.h"
 #include "view/document/question.h"
 #include "view/ink/ink.h"
 #include "view/lesson/lesson_panel.h"
@@ -251,6 +252,11 @@ class Outliner {
     if (drawn < all) add(region, Role::text, "more", say("plan.objects_drawn", {{"drawn", drawn}, {"all", all}}));
   }
 
+  void properties() {
+    if (!shows_properties(state_)) return;
+    outline_properties(state_, open("properties", properties_title(state_)));
+  }
+
   void settings() {
     outline_breakpoints(state_, open("breakpoints", say("breakpoints.title"), true));
     outline_image_settings(state_, open("image-settings", say("image.settings_title"), true));
@@ -405,6 +411,10 @@ class Outliner {
     const std::string place = fmt::format("place {} {} -1", name_of(target.kind), target.index);
     field(entry, Role::number, "x", say("outline.x_of", {{"name", name}}), fmt::format("{} {{}} {}", place, at.y), x);
     field(entry, Role::number, "y", say("outline.y_of", {{"name", name}}), fmt::format("{} {} {{}}", place, at.x), y);
+    OutlineItem& select =
+        button(entry, "select", say("outline.properties_of", {{"name", name}}), action::Select{target});
+    select.chosen = state_.plan.selected.kind == target.kind && state_.plan.selected.index == target.index;
+    select.leads_to = "properties";
   }
 
   const State& state_;
@@ -428,6 +438,7 @@ Outline outline(const State& state) {
   parts.tree();
   parts.stack();
   parts.plan();
+  parts.properties();
   parts.ink();
   parts.settings();
   parts.help_text();
@@ -447,6 +458,8 @@ Result<Action> outlined_action(const State& state, std::string_view does, std::s
     if (value.empty()) return Action(action::SetLinkPage{});
   } else if (does.starts_with("open") || does.starts_with("save") || does.starts_with("export")) {
     if (value.empty()) return refused("outline.no_path");
+  } else if (does.starts_with("set ") || does.starts_with("rename ")) {
+    if (value.empty() && does.starts_with("rename ")) return refused("outline.no_name");
   } else if (does.starts_with("guess-number")) {
     const auto guess = typed_guess(state.lessons, typed);
     if (!guess) return refused("lesson.not_a_number");

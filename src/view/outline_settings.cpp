@@ -1,4 +1,5 @@
 #include "scene/effects.h"
+#include "view/document/keys.h"
 #include "view/outline_items.h"
 #include "view/text/choice_text.h"
 #include "view/text/shown.h"
@@ -48,6 +49,34 @@ void outline_breakpoints(const State& state, OutlineItem& region) {
         next.object == now.object;
   }
   button(region, "remove", say("breakpoints.remove"), action::RemoveBreakpoints{}, state.walk.breakpoints.any());
+}
+
+void outline_properties(const State& state, OutlineItem& region) {
+  const Language language = state.appearance.language;
+  const Target& of = state.plan.selected;
+  if (of.kind != TargetKind::eye) {
+    const bool of_light = of.kind == TargetKind::light;
+    const Target whole{of_light ? TargetKind::light : TargetKind::object, of.index};
+    field(region, Role::words, "name", std::string(text("property.name", language)),
+          write_action(action::Rename{whole, "{}"}),
+          of_light ? light_name(state, of.index) : object_name(state, of.index));
+  }
+  const auto to = [&](const KeyText& key, std::string_view value) {
+    return action::SetKey{of, fmt::format("{} {}", key.key, value)};
+  };
+  for (const KeyText& key : keys_of(state, of)) {
+    if (key.words.empty()) {
+      field(region, Role::words, key.key, key.label, write_action(to(key, "{}")), key.value);
+    } else if (key.words.front() == on_or_off.yes) {
+      const bool is_on = key.value == on_or_off.yes;
+      button(region, key.key, key.label, to(key, is_on ? on_or_off.no : on_or_off.yes)).chosen = is_on;
+    } else {
+      choose(
+          region, key.key, key.label, key.words, std::string_view(key.value),
+          [&](std::string_view word) { return family_text("choice", word, language); },
+          [&](std::string_view word) { return to(key, word); });
+    }
+  }
 }
 
 void outline_image_settings(const State& state, OutlineItem& region) {

@@ -10,6 +10,7 @@
 #include "view/lesson/typed_number.h"
 #include "view/link/link.h"
 #include "view/plan/plan_geometry.h"
+#include "view/text/shown.h"
 #include "view/walk/code_panel.h"
 #include "view/walk/status.h"
 
@@ -173,6 +174,42 @@ TEST_CASE("a typed number is read in any notation, and what is none is refused i
   REQUIRE(place);
   CHECK(write_action(*place) == "place eye -1 -1 -1.5 2");
   CHECK(write_action(*outlined_action(state, "save-as {}", "1.toml")) == "save-as 1.toml");
+}
+
+TEST_CASE("the properties of a thing are in the outline, and changed there") {
+  State state = state_of(read_scene(RAYWALK_SOURCE_DIR "/scenes/classic.toml")->scene);
+  state.appearance.language = test::in_english;
+  const Scene before = state.scene();
+  const std::string ball = object_name(state, 0);
+  CHECK_FALSE(named(state, Role::words, "Radius"));
+  use(state, Role::button, "Properties of " + ball);
+  CHECK(faults(outline(state)) == "");
+  CHECK(named(state, Role::button, "Properties of " + ball)->chosen == true);
+  CHECK(named(state, Role::region, ball));
+  use(state, Role::words, "Radius", "0,75");
+  CHECK(std::get<Sphere<double>>(state.scene().objects[0].shape).radius == 0.75);
+  CHECK(named(state, Role::words, "Radius")->value == "0.75");
+  use(state, Role::words, "Diffuse (kd)", "0.25 0.5 1");
+  CHECK(state.scene().objects[0].material.diffuse == Rgbd(0.25, 0.5, 1));
+  const bool checkered = state.scene().objects[0].material.checker.has_value();
+  use(state, Role::button, "Checker");
+  CHECK(state.scene().objects[0].material.checker.has_value() != checkered);
+  CHECK(named(state, Role::button, "Checker")->chosen == !checkered);
+  use(state, Role::words, "Name", "Football");
+  CHECK(state.scene().objects[0].name == "Football");
+  CHECK(outlined_action(state, named(state, Role::words, "Name")->does, "").error().text() == "Type a name");
+  CHECK_FALSE(state.document.notice);
+  use(state, Role::words, "Radius", "-1");
+  REQUIRE(state.document.notice);
+  CHECK(named(state, Role::warning, state.document.notice->text));
+  use(state, Role::button, "Properties of EYE");
+  CHECK(faults(outline(state)) == "");
+  use(state, Role::words, "Background", "0.5");
+  CHECK(state.scene().background == Rgbd(0.5));
+  for (int i = 0; i < 5; ++i) update(state, action::Undo{});
+  CHECK(state.scene() == before);
+  update(state, action::SetMode{Mode::trace});
+  CHECK_FALSE(named(state, Role::words, "Background"));
 }
 
 TEST_CASE("a question and a prompt are in the outline with all their answers") {

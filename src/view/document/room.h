@@ -129,6 +129,14 @@ struct Rename {
   static void fields(auto& f, auto& a) { f(a.target), f(a.name); }
   void apply(State& state) const;
 };
+/// A key of an object, a light, or of camera and scene, and its value (view/document/keys.h): "material.diffuse 0.5".
+struct SetKey {
+  static constexpr std::string_view word = "set";
+  Target target;
+  std::string setting;
+  static void fields(auto& f, auto& a) { f(a.target), f(a.setting); }
+  void apply(State& state) const;
+};
 struct SetMaterial {
   int object;
   Material material;
@@ -273,10 +281,10 @@ struct Quit {
 struct DocumentRoom {
   using Actions =
       Types<action::AddObject, action::RemoveSelected, action::InsertCorner, action::RemoveCorner, action::Rename,
-            action::SetMaterial, action::SetShape, action::SetLight, action::SetCamera, action::SetLimits,
-            action::SetNumerics, action::SetLightWays, action::SetSurroundings, action::Undo, action::Redo, action::New,
-            action::Open, action::Save, action::SaveAs, action::NotSaved, action::AskNew, action::AskOpen,
-            action::AskSaveAs, action::CancelPrompt, action::AnswerQuestion, action::Quit>;
+            action::SetKey, action::SetMaterial, action::SetShape, action::SetLight, action::SetCamera,
+            action::SetLimits, action::SetNumerics, action::SetLightWays, action::SetSurroundings, action::Undo,
+            action::Redo, action::New, action::Open, action::Save, action::SaveAs, action::NotSaved, action::AskNew,
+            action::AskOpen, action::AskSaveAs, action::CancelPrompt, action::AnswerQuestion, action::Quit>;
   static Commands commands();
 
   SceneDocument contents;
