@@ -135,8 +135,7 @@ namespace {
 void cost_tab(const Ui& ui, const Rect& where, const PictureView& picture) {
   if (picture.costs == nullptr) return;
   push_font(ui.fonts.small);
-  const study::Workbench& bench = picture.costs->bench();
-  const CostFindings findings{bench.attempts(), bench.floor(), bench.reference_samples()};
+  const CostFindings findings = findings_of(picture.costs->bench());
 
   ButtonRow row(ui, where, ui.px(28));
   row.add(command("cost-page"));

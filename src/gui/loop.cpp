@@ -205,6 +205,7 @@ class Loop::Parts {
   }
 
   [[nodiscard]] const State& state() const { return state_; }
+  [[nodiscard]] CostFindings costs() const { return findings_of(costs_.bench()); }
 
   [[nodiscard]] bool holds_at(float x, float y) const {
     return std::any_of(commands().begin(), commands().end(), [&](const Command* each) {
@@ -550,6 +551,7 @@ void Loop::draw_again() { parts_->draw_again(); }
 void Loop::autosave_now() { parts_->autosave_now(); }
 
 const State& Loop::state() const { return parts_->state(); }
+CostFindings Loop::costs() const { return parts_->costs(); }
 
 Result<void> Loop::end() { return parts_->end(); }
 

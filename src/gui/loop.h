@@ -4,6 +4,7 @@
 #include "gui/gui.h"
 #include "gui/session.h"
 #include "gui/window.h"
+#include "view/cost/cost.h"
 
 #include <chrono>
 #include <memory>
@@ -36,6 +37,8 @@ class Loop {
   /// The graphics card has lost all that was drawn with.
   void draw_again();
   [[nodiscard]] const State& state() const;
+  /// What Cost has found so far; as long as the loop does nothing.
+  [[nodiscard]] CostFindings costs() const;
   /// Whether a button is there, in units, that repeats while it is held down.
   [[nodiscard]] bool holds_at(float x, float y) const;
   /// After the last turn. Fails where run_gui says.

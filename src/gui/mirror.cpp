@@ -67,8 +67,8 @@ nlohmann::ordered_json json_of(const Outline& items) {
 
 }  // namespace
 
-Outline outline_with_commands(const State& state) {
-  Outline outlined = outline(state);
+Outline outline_with_commands(const State& state, const CostFindings* costs) {
+  Outline outlined = outline(state, costs);
   if (waits_for_answer(state)) {
     if (asks_for_files(state)) add_file_chooser(outlined.back(), state);
     return outlined;
@@ -93,9 +93,9 @@ Outline outline_with_commands(const State& state) {
   return outlined;
 }
 
-std::string outline_json(const State& state) {
+std::string outline_json(const State& state, const CostFindings* costs) {
   // Paths need not be UTF-8.
-  return json_of(outline_with_commands(state)).dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  return json_of(outline_with_commands(state, costs)).dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 }  // namespace raywalk

@@ -257,9 +257,24 @@ class Outliner {
     outline_properties(state_, open("properties", properties_title(state_)));
   }
 
+  /// The attempts of Cost, what each has cost, and how far off its picture is.
+  void costs(const CostFindings& findings) {
+    const CostRoom& cost = state_.cost;
+    if (state_.appearance.tab != CostRoom::tab || cost.page != CostPage::tries) return;
+    OutlineItem& region = open("cost", say("command.tab_cost.label"));
+    if (cost.tried.empty()) return static_cast<void>(add(region, Role::text, "empty", say("cost.empty")));
+    add(region, Role::text, "reference", reference_text(findings, language()));
+    OutlineItem& list = add(region, Role::list, "tries", region.name);
+    for (int i = 0; i < static_cast<int>(cost.tried.size()); ++i) {
+      OutlineItem& entry = add(list, Role::entry, fmt::format("try-{}", i), attempt_text(state_, findings, i));
+      entry.current = i == cost.chosen;
+    }
+  }
+
   void settings() {
     outline_breakpoints(state_, open("breakpoints", say("breakpoints.title"), true));
     outline_image_settings(state_, open("image-settings", say("image.settings_title"), true));
+    outline_cost_knobs(state_, open("cost-knobs", say("cost.knobs"), true));
   }
 
   void ink() {
@@ -423,7 +438,7 @@ class Outliner {
 
 }  // namespace
 
-Outline outline(const State& state) {
+Outline outline(const State& state, const CostFindings* costs) {
   Outliner parts(state);
   parts.notice();
   parts.question();
@@ -439,6 +454,7 @@ Outline outline(const State& state) {
   parts.stack();
   parts.plan();
   parts.properties();
+  if (costs != nullptr) parts.costs(*costs);
   parts.ink();
   parts.settings();
   parts.help_text();

@@ -2,6 +2,7 @@
 // What the window shows, in words: for who does not see it. A browser's page mirrors it for assistive technology.
 
 #include "view/action.h"
+#include "view/cost/cost.h"
 
 #include "text/error.h"
 
@@ -51,8 +52,8 @@ inline constexpr Word<OutlineItem::Role> words_of<OutlineItem::Role>[] = {
 using Outline = std::vector<OutlineItem>;
 
 /// All but the commands, which gui/mirror.h adds: what is asked, or else the walk, the lesson, the code, the plan, and
-/// the open tab.
-[[nodiscard]] Outline outline(const State& state);
+/// the open tab. `costs`: what Cost has found.
+[[nodiscard]] Outline outline(const State& state, const CostFindings* costs = nullptr);
 
 /// The action of a button or field whose `does` this is, with what was typed; says in the state's language what is
 /// wrong with that.

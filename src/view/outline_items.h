@@ -38,6 +38,8 @@ inline constexpr std::size_t most_outlined = 100;  ///< of the things of a scene
 void outline_breakpoints(const State& state, OutlineItem& region);
 /// The keys of what is selected.
 void outline_properties(const State& state, OutlineItem& region);
+/// What Cost tries next.
+void outline_cost_knobs(const State& state, OutlineItem& region);
 /// The settings of the 3-D image.
 void outline_image_settings(const State& state, OutlineItem& region);
 

@@ -1,4 +1,5 @@
 #include "scene/effects.h"
+#include "view/cost/cost.h"
 #include "view/document/keys.h"
 #include "view/outline_items.h"
 #include "view/text/choice_text.h"
@@ -24,6 +25,15 @@ void choose(OutlineItem& region, std::string_view key, const std::string& label,
   for (const auto& choice : choices)
     button(region, fmt::format("{}-{}", key, ++number), label + ": " + std::string(named(choice)), does(choice))
         .chosen = choice == now;
+}
+
+/// The line of an action with `{}` for its argument of this number, from 0.
+std::string with_gap(const Action& action, int argument) {
+  std::string line = write_action(action);
+  std::size_t begin = line.find(' ');
+  for (int i = 0; i < argument; ++i) begin = line.find(' ', begin + 1);
+  const std::size_t end = std::min(line.find(' ', begin + 1), line.size());
+  return line.replace(begin + 1, end - begin - 1, "{}");
 }
 
 }  // namespace
@@ -77,6 +87,38 @@ void outline_properties(const State& state, OutlineItem& region) {
           [&](std::string_view word) { return to(key, word); });
     }
   }
+}
+
+void outline_cost_knobs(const State& state, OutlineItem& region) {
+  const Language language = state.appearance.language;
+  const study::Setup now = cost_knobs(state);
+  const auto named = [&](const auto& choice) { return text(choice, language); };
+  const auto with = [&](auto study::Setup::* part) {
+    return [&now, part](const auto& choice) {
+      study::Setup next = now;
+      next.*part = choice;
+      return action::SetCostKnobs{next};
+    };
+  };
+  const auto number = [&](std::string_view key, std::string_view label, int argument, double value) {
+    field(region, Role::number, std::string(key), std::string(text(label, language)),
+          with_gap(action::SetCostKnobs{now}, argument), number_text(value, language));
+  };
+  number("samples", "property.samples", 0, now.samples);
+  choose(region, "sampler", std::string(text("property.sampler", language)), values_of<Sampler>, now.sampler, named,
+         with(&study::Setup::sampler));
+  number("light-grid", "property.light_grid", 2, now.light_grid);
+  number("depth", "property.limits_depth", 3, now.depth);
+  number("threshold", "property.threshold", 4, now.threshold);
+  number("tolerance", "property.tolerance", 7, now.tolerance);
+  choose(
+      region, "precision", std::string(text("property.precision", language)), precisions, now.single_precision,
+      [&](bool single) { return text(precision_word(single), language); }, with(&study::Setup::single_precision));
+  choose(region, "numerics", std::string(text("property.numerics", language)), values_of<Numerics>, now.numerics, named,
+         with(&study::Setup::numerics));
+  if (now.numerics == Numerics::naive) number("epsilon", "property.epsilon", 9, now.epsilon);
+  choose(region, "accelerator", std::string(text("property.accelerator", language)), pickable_accelerators,
+         now.accelerator, named, with(&study::Setup::accelerator));
 }
 
 void outline_image_settings(const State& state, OutlineItem& region) {

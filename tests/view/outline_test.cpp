@@ -383,6 +383,59 @@ TEST_CASE("the settings of the 3-D image can be chosen in the outline") {
   CHECK(state.scene().render.radiosity.as_ambient);
 }
 
+TEST_CASE("what Cost tries can be chosen in the outline, and what it has found is told there") {
+  State state = classic_state();
+  CHECK(faults(outline(state)) == "");
+  // The settings of the 3-D image have fields of the same names.
+  const auto in_knobs = [&](std::string_view key) {
+    const Outline all = outline(state);
+    const auto region = std::find_if(all.begin(), all.end(), [](const auto& item) { return item.key == "cost-knobs"; });
+    REQUIRE(region != all.end());
+    const auto item = std::find_if(region->items.begin(), region->items.end(),
+                                   [&](const auto& each) { return each.key == key || each.name == key; });
+    REQUIRE(item != region->items.end());
+    return *item;
+  };
+  const auto choose = [&](std::string_view key, std::string_view typed = {}) {
+    const auto action = outlined_action(state, in_knobs(key).does, typed);
+    REQUIRE(action);
+    update(state, *action);
+  };
+  choose("samples", "16");
+  choose("threshold", "0,25");
+  choose("Sampler: sobol");
+  choose("Numerics: naive");
+  choose("epsilon", "0.5");
+  CHECK(cost_knobs(state).samples == 16);
+  CHECK(cost_knobs(state).threshold == 0.25);
+  CHECK(cost_knobs(state).sampler == Sampler::sobol);
+  CHECK(cost_knobs(state).numerics == Numerics::naive);
+  CHECK(cost_knobs(state).epsilon == 0.5);
+  CHECK(in_knobs("Sampler: sobol").chosen == true);
+  const std::vector<study::Attempt> none;
+  const CostFindings nothing{none};
+  const auto has_costs = [&](const CostFindings* found) {
+    const Outline outlined = outline(state, found);
+    return std::find_if(outlined.begin(), outlined.end(), [](const OutlineItem& item) { return item.key == "cost"; }) !=
+           outlined.end();
+  };
+  CHECK_FALSE(has_costs(&nothing));
+  update(state, action::SetTab{CostRoom::tab});
+  CHECK(has_costs(&nothing));
+  CHECK_FALSE(has_costs(nullptr));
+  update(state, action::TryCost{});
+  const Outline outlined = outline(state, &nothing);
+  CHECK(faults(outlined) == "");
+  int tries = 0;
+  each_item(outlined, [&](const OutlineItem& item) {
+    if (item.key != "try-0") return;
+    CHECK(item.name == attempt_text(state, nothing, 0));
+    CHECK(item.current);
+    ++tries;
+  });
+  CHECK(tries == 1);
+}
+
 TEST_CASE("the dialog of a link is in the outline: its address, or why there is none, and what can be done") {
   State state = classic_state();
   state.link.own_page = "https://own.example/";

@@ -17,7 +17,8 @@ extern "C" {
 /// The window in words (gui/mirror.h).
 EMSCRIPTEN_KEEPALIVE const char* page_outline() {
   static std::string json;
-  json = outline_json(page_loop().state());
+  const CostFindings costs = page_loop().costs();
+  json = outline_json(page_loop().state(), &costs);
   return json.c_str();
 }
 

@@ -29,6 +29,9 @@ struct CostFindings {
   double floor = 0;  ///< of the reference
   int reference_samples = 0;
 };
+[[nodiscard]] inline CostFindings findings_of(const study::Workbench& bench) {
+  return {bench.attempts(), bench.floor(), bench.reference_samples()};
+}
 
 /// Error against cost, both logarithmic: one mark per attempt, the Pareto front, and the floor below which differences
 /// mean nothing. Coordinates are pixels within width x height; `unit`: a pixel at scale 1.
