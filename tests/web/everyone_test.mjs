@@ -365,6 +365,29 @@ test('as text, the buttons of dialogs that are drawn lead to what can be chosen 
   await page.close();
 });
 
+test('as text, properties are changed, and Cost says what it has found', async () => {
+  const visit = await Visit.begin(browser, server.address), { page } = visit;
+  await use(page, 'button', open_as_text);
+  await visit.act('mode move');
+  const select = '#mirror [data-key="entry object-0"] [data-key="button select"]';
+  await page.waitForSelector(select);
+  const name = (await page.$eval(select, (button) => (button.click(), button.textContent))).replace('Properties of ', '');
+  await page.waitForFunction((heading) => document.activeElement.textContent === heading, {}, name);
+  await use(page, 'textbox', 'Radius', '0,5');
+  assert.equal(await page.evaluate(() => document.activeElement.value), '0.5');
+  await use(page, 'textbox', 'Diffuse (kd)', '0.25 0.5 1');
+  assert.equal(await page.evaluate(() => document.activeElement.value), '0.25 0.5 1');
+  await use(page, 'textbox', 'Radius', '-1');
+  await page.waitForFunction(() => /radius: expected a number above 0/.test(document.querySelector('#mirror').textContent));
+  await visit.act('tab cost');
+  await page.$eval('#mirror [data-key="button command-cost-knobs"]', (button) => button.click());
+  assert.equal(await page.evaluate(() => document.activeElement.closest('details').open), true);
+  await visit.act('cost-try');
+  await page.waitForFunction(() => /rays/.test(document.querySelector('#mirror [data-key="entry try-0"]')?.textContent), { timeout: 60000 });
+  assert.deepEqual(visit.complaints, []);
+  await page.close();
+});
+
 test('as text, a link that cannot be made says why', async () => {
   const visit = await Visit.begin(browser, server.address), { page } = visit;
   await page.evaluate(() => {
