@@ -95,7 +95,8 @@ Outline outline_with_commands(const State& state, const CostFindings* costs) {
 
 std::string outline_json(const State& state, const CostFindings* costs) {
   // Paths need not be UTF-8.
-  return json_of(outline_with_commands(state, costs)).dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  return json_of(outline_with_commands(state, costs))
+      .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 }  // namespace raywalk
