@@ -94,24 +94,14 @@ void PropertiesPane::draw(const Ui& ui, const Rect& where, bool focus) {
   if (std::exchange(focus_field_, false)) form.focus_next();
   if (focus) ImGui::SetWindowFocus();
   focus_field_ |= focus;
-  switch (target.kind) {
-    case TargetKind::object:
-    case TargetKind::radius:
-    case TargetKind::corner:
-    case TargetKind::edge:
-    case TargetKind::rotation:
+  switch (owner_of(target)) {
+    case Owner::object:
       object_rows(ui, form, target.index);
       break;
-    case TargetKind::light:
+    case Owner::light:
       light_rows(ui, form, target.index);
       break;
-    case TargetKind::eye:
-    case TargetKind::view_direction:
-    case TargetKind::screen_height:
-    case TargetKind::screen_distance:
-    case TargetKind::cell:
-    case TargetKind::ray:
-    case TargetKind::nothing:
+    case Owner::camera_and_scene:
       camera_rows(ui, form);
       scene_rows(ui, form);
       break;

@@ -4,6 +4,7 @@
 
 #include "gui/form.h"
 #include "scene/schema.h"
+#include "scene/schema_rows.h"
 
 #include <algorithm>
 #include <array>
@@ -19,8 +20,10 @@
 namespace raywalk {
 
 /// The `Fields` of the schema that draws a row for each key whose value a form can change.
-class SchemaForm {
+class SchemaForm : public schema::RowFields<SchemaForm> {
  public:
+  using schema::RowFields<SchemaForm>::key;
+
   /// `table` names what is shown, for labels that differ from those of the same key elsewhere.
   SchemaForm(Form& form, std::string_view table) : form_(form), table_(table) {}
 
@@ -32,7 +35,6 @@ class SchemaForm {
     return rows.is_changed_ && rows.holds_;
   }
 
-  void about(std::string_view /*sentence*/) {}
   template <class T, class Kind>
   void key(std::string_view name, T& value, const Kind& kind, std::string_view sentence) {
     is_changed_ |= row({table_, name, sentence}, kind, value);
@@ -45,23 +47,10 @@ class SchemaForm {
   }
   template <class T>
   void key(std::string_view name, std::optional<T>& value, const schema::Table& /*kind*/);
-  // The tables of a scene and of an object are forms of their own.
-  template <class T>
-  void key(std::string_view /*name*/, T& /*value*/, const schema::Table& /*kind*/) {}
-  template <class T>
-  void key(std::string_view /*name*/, T& /*value*/, const schema::Tables& /*kind*/) {}
-  template <class T, class Kind, class... Sentence>
-  void required(std::string_view name, T& value, const Kind& kind, const Sentence&... sentence) {
-    key(name, value, kind, sentence...);
-  }
   template <class... Kinds>
   void type(std::variant<Kinds...>& value, std::string_view sentence) {
     if constexpr (std::is_same_v<std::variant<Kinds...>, AnySky>) pick_kind(value, sentence);
     std::visit([&](auto& kind) { schema::describe(*this, kind); }, value);
-  }
-  template <class T>
-  void together(std::optional<T>& value) {
-    if (value) schema::describe(*this, *value);
   }
   void check(std::string_view /*key*/, bool holds, std::string_view /*message*/, std::string_view /*hint*/) {
     holds_ &= holds;
@@ -70,8 +59,6 @@ class SchemaForm {
   void check(std::string_view /*key*/, const Why& why, std::string_view /*hint*/) {
     if (is_changed_) holds_ &= std::string_view(why()).empty();
   }
-  template <class T>
-  void complete(const T& /*value*/) {}
 
  private:
   bool row(const KeyLabel& label, const schema::Number& kind, double& value) {
@@ -123,17 +110,10 @@ class SchemaForm {
   /// One of the kinds that need no file, or the one that it is.
   void pick_kind(AnySky& value, std::string_view sentence) {
     std::vector<std::string_view> words;
-    std::vector<AnySky> kinds;
-    int chosen = 0;
-    const auto offer = [&]<class Kind>(const Kind& kind) {
-      const bool own = std::holds_alternative<Kind>(value);
-      if constexpr (requires { kind.file; })
-        if (!own) return;
-      if (own) chosen = static_cast<int>(kinds.size());
-      words.emplace_back(schema::type_name(kind));
-      kinds.emplace_back(kind);
-    };
-    [&]<class... Kinds>(const std::variant<Kinds...>* /*all*/) { (offer(Kinds{}), ...); }(&value);
+    const std::vector<AnySky> kinds = schema::kinds_beside(value, words);
+    const auto own =
+        std::find_if(kinds.begin(), kinds.end(), [&](const auto& kind) { return kind.index() == value.index(); });
+    int chosen = static_cast<int>(own - kinds.begin());
     if (!form_.pick({table_, "type", sentence}, words, chosen)) return;
     is_changed_ = true;
     value = kinds[static_cast<std::size_t>(chosen)];

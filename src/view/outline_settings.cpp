@@ -64,8 +64,8 @@ void outline_breakpoints(const State& state, OutlineItem& region) {
 void outline_properties(const State& state, OutlineItem& region) {
   const Language language = state.appearance.language;
   const Target& of = state.plan.selected;
-  if (of.kind != TargetKind::eye) {
-    const bool of_light = of.kind == TargetKind::light;
+  if (owner_of(of) != Owner::camera_and_scene) {
+    const bool of_light = owner_of(of) == Owner::light;
     const Target whole{of_light ? TargetKind::light : TargetKind::object, of.index};
     field(region, Role::words, "name", std::string(text("property.name", language)),
           write_action(action::Rename{whole, "{}"}),

@@ -1,6 +1,7 @@
 #include "view/document/keys.h"
 
 #include "scene/schema.h"
+#include "scene/schema_rows.h"
 #include "text/toml_text.h"
 #include "view/state.h"
 #include "view/text/key_label.h"
@@ -58,12 +59,13 @@ std::optional<std::vector<double>> numbers_of(std::string_view text) {
 }
 
 /// The `Fields` of the schema that lists each key whose value fits into a line, or gives one of them another value.
-class KeyFields {
+class KeyFields : public schema::RowFields<KeyFields> {
  public:
+  using schema::RowFields<KeyFields>::key;
+
   KeyFields(Language language, std::string_view table, std::string prefix, std::vector<KeyText>* list, Wanted* wanted)
       : language_(language), table_(table), prefix_(std::move(prefix)), list_(list), wanted_(wanted) {}
 
-  void about(std::string_view /*sentence*/) {}
   template <class T, class Kind>
   void key(std::string_view name, T& value, const Kind& kind, std::string_view sentence) {
     row({table_, name, sentence}, prefix_ + std::string(name), kind, value);
@@ -109,23 +111,10 @@ class KeyFields {
     schema::describe(*this, *value);
     table_ = outer, prefix_ = outer_prefix;
   }
-  // The tables of a scene and of an object have fields of their own.
-  template <class T>
-  void key(std::string_view /*name*/, T& /*value*/, const schema::Table& /*kind*/) {}
-  template <class T>
-  void key(std::string_view /*name*/, T& /*value*/, const schema::Tables& /*kind*/) {}
-  template <class T, class Kind, class... Sentence>
-  void required(std::string_view name, T& value, const Kind& kind, const Sentence&... sentence) {
-    key(name, value, kind, sentence...);
-  }
   template <class... Kinds>
   void type(std::variant<Kinds...>& value, std::string_view sentence) {
     if constexpr (std::is_same_v<std::variant<Kinds...>, AnySky>) pick_kind(value, sentence);
     std::visit([&](auto& kind) { schema::describe(*this, kind); }, value);
-  }
-  template <class T>
-  void together(std::optional<T>& value) {
-    if (value) schema::describe(*this, *value);
   }
   void check(std::string_view /*key*/, bool holds, std::string_view message, std::string_view hint) {
     if (wanted_ != nullptr && wanted_->changed && !holds) refuse(message, hint);
@@ -135,8 +124,6 @@ class KeyFields {
     if (wanted_ == nullptr || !wanted_->changed) return;
     if (const std::string message(why()); !message.empty()) refuse(message, hint);
   }
-  template <class T>
-  void complete(const T& /*value*/) {}
 
  private:
   void refuse(std::string_view message, std::string_view hint) {
@@ -250,14 +237,7 @@ class KeyFields {
   /// One of the kinds that need no file, or the one that it is.
   void pick_kind(AnySky& value, std::string_view sentence) {
     std::vector<std::string_view> words;
-    std::vector<AnySky> kinds;
-    const auto offer = [&]<class Kind>(const Kind& kind) {
-      if constexpr (requires { kind.file; })
-        if (!std::holds_alternative<Kind>(value)) return;
-      words.emplace_back(schema::type_name(kind));
-      kinds.emplace_back(kind);
-    };
-    [&]<class... Kinds>(const std::variant<Kinds...>* /*all*/) { (offer(Kinds{}), ...); }(&value);
+    const std::vector<AnySky> kinds = schema::kinds_beside(value, words);
     const auto own = std::visit([](const auto& kind) { return std::string(schema::type_name(kind)); }, value);
     word({table_, "type", sentence}, prefix_ + "type", own, words, [&](std::string_view text) {
       const auto at = static_cast<std::size_t>(std::find(words.begin(), words.end(), text) - words.begin());
@@ -280,25 +260,15 @@ class Keys {
       : scene_(state.scene()), language_(state.appearance.language), list_(list), wanted_(wanted) {}
 
   std::optional<KeyEdit> of(const Target& target) {
-    switch (target.kind) {
-      case TargetKind::object:
-      case TargetKind::radius:
-      case TargetKind::corner:
-      case TargetKind::edge:
-      case TargetKind::rotation:
+    switch (owner_of(target)) {
+      case Owner::object:
         return of_object(target.index);
-      case TargetKind::light:
+      case Owner::light:
         return of_light(target.index);
-      case TargetKind::eye:
-      case TargetKind::view_direction:
-      case TargetKind::screen_height:
-      case TargetKind::screen_distance:
-      case TargetKind::cell:
-      case TargetKind::ray:
-      case TargetKind::nothing:
-        break;
+      case Owner::camera_and_scene:
+        return of_scene();
     }
-    return of_scene();
+    return std::nullopt;
   }
 
  private:
@@ -363,15 +333,28 @@ bool shows_properties(const State& state) {
 
 std::string properties_title(const State& state) {
   const Target& target = state.plan.selected;
+  const Language language = state.appearance.language;
+  switch (owner_of(target)) {
+    case Owner::object:
+      return object_name(state, target.index);
+    case Owner::light:
+      return light_name(state, target.index);
+    case Owner::camera_and_scene:
+      break;
+  }
+  return fmt::format("{}, {}", text("object.eye", language), text("object.screen", language));
+}
+
+Owner owner_of(const Target& target) {
   switch (target.kind) {
     case TargetKind::object:
     case TargetKind::radius:
     case TargetKind::corner:
     case TargetKind::edge:
     case TargetKind::rotation:
-      return object_name(state, target.index);
+      return Owner::object;
     case TargetKind::light:
-      return light_name(state, target.index);
+      return Owner::light;
     case TargetKind::eye:
     case TargetKind::view_direction:
     case TargetKind::screen_height:
@@ -381,8 +364,7 @@ std::string properties_title(const State& state) {
     case TargetKind::nothing:
       break;
   }
-  const Language language = state.appearance.language;
-  return fmt::format("{}, {}", text("object.eye", language), text("object.screen", language));
+  return Owner::camera_and_scene;
 }
 
 std::vector<KeyText> keys_of(const State& state, const Target& target) {

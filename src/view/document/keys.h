@@ -21,7 +21,9 @@ struct KeyText {
   std::string value{};
   std::vector<std::string_view> words{};  ///< what it may be, where these are a few words; "on", "off" of a flag
 };
-/// Of an object, a light, or of camera and scene: of what a form shows for this target.
+/// What has properties: a handle has those of its object.
+enum class Owner { object, light, camera_and_scene };
+[[nodiscard]] Owner owner_of(const Target& target);
 [[nodiscard]] std::vector<KeyText> keys_of(const State& state, const Target& target);
 
 /// Whether the window shows the properties of what is selected.
