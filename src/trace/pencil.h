@@ -177,7 +177,7 @@ template <class Primitives, class Point, class T>
   const PencilMatrix D{system.plan.d, system.left_from_up.d, system.up_from_left.d, system.across.d};
   const PencilMatrix adjugate{D.d, -D.b, -D.c, D.a};
   const PencilMatrix front = B * adjugate;
-  const double mean = (front.a + front.d) / 2, apart = std::hypot((front.a - front.d) / 2, (front.b + front.c) / 2);
+  const double mean = (front.a + front.d) / 2, apart = length(Vec2d(front.a - front.d, front.b + front.c)) / 2;
   const double larger = mean < 0 ? mean - apart : mean + apart;
   std::array<std::optional<double>, 2> foci;
   if (D.determinant() != 0) foci[0] = -larger / D.determinant();
@@ -190,7 +190,7 @@ template <class Primitives, class Point, class T>
 /// Half the axes of the ellipse that a round bundle from one point fills, per its half angle; the longer first.
 [[nodiscard]] inline Vec2d ellipse_from_point(const PencilSystem& system) {
   const PencilMatrix B{system.plan.b, system.left_from_up.b, system.up_from_left.b, system.across.b};
-  const double turned = std::hypot(B.a + B.d, B.c - B.b) / 2, flipped = std::hypot(B.a - B.d, B.b + B.c) / 2;
+  const double turned = length(Vec2d(B.a + B.d, B.c - B.b)) / 2, flipped = length(Vec2d(B.a - B.d, B.b + B.c)) / 2;
   return {turned + flipped, std::abs(turned - flipped)};
 }
 
