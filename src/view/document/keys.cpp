@@ -11,9 +11,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <type_traits>
 #include <utility>
 
@@ -58,192 +60,125 @@ std::optional<std::vector<double>> numbers_of(std::string_view text) {
   return numbers;
 }
 
-/// The `Fields` of the schema that lists each key whose value fits into a line, or gives one of them another value.
-class KeyFields : public schema::RowFields<KeyFields> {
- public:
-  using schema::RowFields<KeyFields>::key;
+/// A key of the table at work; of a list, a row of this number from 1.
+struct Named {
+  std::string_view name, sentence{};
+  int row = 0;
+};
 
-  KeyFields(Language language, std::string_view table, std::string prefix, std::vector<KeyText>* list, Wanted* wanted)
+/// What numbers a key takes.
+struct Rules {
+  const schema::Number& each;
+  std::string expected;
+  schema::Shorthand shorthand = schema::Shorthand::none;
+  bool is_direction = false, is_whole = false;
+};
+
+/// The rows of keys, and the key that is to be set.
+class KeyRows {
+ public:
+  KeyRows(Language language, std::string_view table, std::string prefix, std::vector<KeyText>* list, Wanted* wanted)
       : language_(language), table_(table), prefix_(std::move(prefix)), list_(list), wanted_(wanted) {}
 
-  template <class T, class Kind>
-  void key(std::string_view name, T& value, const Kind& kind, std::string_view sentence) {
-    row({table_, name, sentence}, prefix_ + std::string(name), kind, value);
-  }
-  template <class T, class Kind>
-  void key(std::string_view name, std::optional<T>& value, const Kind& kind, std::string_view sentence) {
-    T one = value.value_or(T{});
-    const std::string path = prefix_ + std::string(name);
-    const bool is_asked_for = wanted_ != nullptr && wanted_->key == path;
-    if (is_asked_for && split(wanted_->text).empty()) {
-      wanted_->found = true, wanted_->changed = value.has_value();
-      return value.reset();
-    }
-    const std::size_t before = list_ != nullptr ? list_->size() : 0;
-    row({table_, name, sentence}, path, kind, one);
-    if (is_asked_for && wanted_->found && wanted_->refused.empty()) {
-      wanted_->changed |= !value;
-      value = one;
-    }
-    if (list_ != nullptr && !value)
-      for (std::size_t i = before; i < list_->size(); ++i) (*list_)[i].value.clear();
-  }
-  template <class T>
-  void key(std::string_view name, std::optional<T>& value, const schema::Table& /*kind*/) {
-    const std::string path = prefix_ + std::string(name);
-    const auto is_there = [&](bool there) {
-      if (!there) value.reset();
-      if (there && !value) value.emplace();
-    };
-    if constexpr (requires { value->file; }) {
-      // It is there with its file.
-      word({table_, name, {}}, path, value ? value->file : std::string(), {}, [&](std::string_view file) {
-        is_there(!file.empty());
-        if (value) value->file = file, value->pixels = nullptr;  // loaded with the change
-        return true;
-      });
-    } else {
-      flag({table_, name, {}}, path, value.has_value(), is_there);
-    }
-    if (!value) return;
-    const std::string_view outer = std::exchange(table_, name);
-    const std::string outer_prefix = std::exchange(prefix_, path + ".");
-    schema::describe(*this, *value);
-    table_ = outer, prefix_ = outer_prefix;
-  }
-  template <class... Kinds>
-  void type(std::variant<Kinds...>& value, std::string_view sentence) {
-    if constexpr (std::is_same_v<std::variant<Kinds...>, AnySky>) pick_kind(value, sentence);
-    std::visit([&](auto& kind) { schema::describe(*this, kind); }, value);
-  }
-  void check(std::string_view /*key*/, bool holds, std::string_view message, std::string_view hint) {
-    if (wanted_ != nullptr && wanted_->changed && !holds) refuse(message, hint);
-  }
-  template <class Why>
-  void check(std::string_view /*key*/, const Why& why, std::string_view hint) {
-    if (wanted_ == nullptr || !wanted_->changed) return;
-    if (const std::string message(why()); !message.empty()) refuse(message, hint);
-  }
+ protected:
+  [[nodiscard]] bool is_wanted(const Named& key) const { return wanted_ != nullptr && wanted_->key == path_of(key); }
+  [[nodiscard]] std::size_t listed() const { return list_ != nullptr ? list_->size() : 0; }
 
- private:
   void refuse(std::string_view message, std::string_view hint) {
     if (!wanted_->refused.empty()) return;
     wanted_->refused = message, wanted_->hint = hint;
   }
+  void refuse_if(std::string_view message, std::string_view hint) {
+    if (!message.empty()) refuse(message, hint);
+  }
+  [[nodiscard]] bool has_changed() const { return wanted_ != nullptr && wanted_->changed; }
 
-  /// A text. `take`: whether it may be that.
-  template <class Take>
-  void word(const KeyLabel& label, const std::string& path, std::string value, std::vector<std::string_view> words,
-            const Take& take) {
-    if (list_ != nullptr)
-      list_->push_back({path, label.words(language_), label.hint(language_), std::move(value), std::move(words)});
-    if (wanted_ == nullptr || wanted_->key != path) return;
+  /// Takes a key's value away, if that is what is wanted.
+  bool is_taken_away(const Named& key, bool has_value) {
+    if (!is_wanted(key) || !split(wanted_->text).empty()) return false;
+    wanted_->found = true, wanted_->changed = has_value;
+    return true;
+  }
+
+  /// A text, one of `words` where there are any: the one that is wanted.
+  std::optional<std::string_view> word(const Named& key, std::string_view value, std::vector<std::string_view> words) {
+    list(key, std::string(value), words);
+    if (!is_wanted(key)) return std::nullopt;
     wanted_->found = true;
     const auto given = split(wanted_->text);
     const std::string_view text = given.empty() ? std::string_view() : given.front();
     const bool is_known = words.empty() || std::find(words.begin(), words.end(), text) != words.end();
-    if (!is_known || given.size() > 1 || !take(text))
-      return refuse(fmt::format("expected {}", words.empty() ? "a word" : schema::quoted_words(words)), {});
-    wanted_->changed = true;
-  }
-  template <class Take>
-  void flag(const KeyLabel& label, const std::string& path, bool value, const Take& take) {
-    const std::string_view yes = on_or_off.yes, no = on_or_off.no;
-    word(label, path, std::string(value ? yes : no), {yes, no}, [&](std::string_view text) {
-      take(text == yes);
-      return true;
-    });
-  }
-  /// Numbers. `take`: gives them, or says what was expected.
-  template <class Take>
-  void numbers(const KeyLabel& label, const std::string& path, const std::vector<double>& values, const Take& take) {
-    if (list_ != nullptr) {
-      std::string text;
-      for (const double value : values)
-        text += (text.empty() ? "" : " ") + typeset_number(fmt::format("{:.6g}", value), language_);
-      list_->push_back({path, label.words(language_), label.hint(language_), text});
-    }
-    if (wanted_ == nullptr || wanted_->key != path) return;
-    wanted_->found = true;
-    const auto given = numbers_of(wanted_->text);
-    if (!given) return refuse("expected numbers, with spaces between them", {});
-    if (const std::optional<schema::Refusal> why = take(*given)) return refuse("expected " + why->expected, why->hint);
-    wanted_->changed = true;
-  }
-
-  void row(const KeyLabel& label, const std::string& path, const schema::Number& kind, double& value) {
-    const bool is_bounded = std::isfinite(value);
-    const std::vector<double> now = is_bounded ? std::vector{value} : std::vector<double>{};
-    numbers(label, path, now, [&](const std::vector<double>& given) -> std::optional<schema::Refusal> {
-      if (given.empty() && !is_bounded) return std::nullopt;
-      if (given.size() != 1) return schema::Refusal{kind.expected(), std::string(kind.hint)};
-      value = given.front();
-      return kind.refusal(value);
-    });
-  }
-  void row(const KeyLabel& label, const std::string& path, const schema::Whole& kind, int& value) {
-    numbers(label, path, {static_cast<double>(value)},
-            [&](const std::vector<double>& given) -> std::optional<schema::Refusal> {
-              if (given.size() != 1 || given.front() != std::floor(given.front()) || given.front() < kind.low ||
-                  given.front() > kind.high)
-                return schema::Refusal{kind.expected(), {}};
-              value = static_cast<int>(given.front());
-              return std::nullopt;
-            });
-  }
-  void row(const KeyLabel& label, const std::string& path, const schema::Flag& /*kind*/, bool& value) {
-    flag(label, path, value, [&](bool now) { value = now; });
-  }
-  template <class T>
-  void row(const KeyLabel& label, const std::string& path, const schema::Choice<T>& /*kind*/, T& value) {
-    word(label, path, std::string(name_of(value)), all_words<T>(), [&](std::string_view text) {
-      const std::vector<std::string_view> words = all_words<T>();
-      value = static_cast<T>(std::find(words.begin(), words.end(), text) - words.begin());
-      return true;
-    });
-  }
-  template <class T>
-  void row(const KeyLabel& label, const std::string& path, const schema::Tuple& kind, T& value) {
-    std::vector<double> now;
-    schema::each_number(value, [&](double& number) { now.push_back(number); });
-    numbers(label, path, now, [&](std::vector<double> given) -> std::optional<schema::Refusal> {
-      const schema::Refusal refusal{kind.expected(), std::string(kind.number.hint)};
-      if (kind.shorthand == schema::Shorthand::grey && given.size() == 1) given.resize(now.size(), given.front());
-      if ((kind.shorthand == schema::Shorthand::flat || kind.is_direction) && given.size() + 1 == now.size())
-        given.push_back(0);
-      if (given.size() != now.size()) return refusal;
-      for (const double number : given)
-        if (auto why = kind.number.refusal(number)) return why;
-      std::size_t next = 0;
-      schema::each_number(value, [&](double& number) { number = given[next++]; });
-      if constexpr (std::is_same_v<T, Vec3d>)
-        if (kind.is_direction && length(value) < 1 / schema::max_magnitude) return refusal;
+    if (!is_known || given.size() > 1) {
+      refuse(words.empty() ? "expected a word" : "expected " + schema::quoted_words(words), {});
       return std::nullopt;
-    });
+    }
+    wanted_->changed = true;
+    return text;
   }
-  void row(const KeyLabel& label, const std::string& path, const schema::Colour& kind, Rgbd& value) {
-    row(label, path, static_cast<const schema::Tuple&>(kind), value);
+  std::optional<bool> flag(const Named& key, bool value) {
+    const auto text = word(key, value ? on_or_off.yes : on_or_off.no, {on_or_off.yes, on_or_off.no});
+    return text ? std::optional(*text == on_or_off.yes) : std::nullopt;
   }
-  template <class T>
-  void row(const KeyLabel& label, const std::string& path, const schema::Rows& kind, std::vector<T>& value) {
-    constexpr std::size_t most = 100;  // of what is listed
-    for (std::size_t i = 0; i < std::min(value.size(), most); ++i)
-      row({label, static_cast<int>(i) + 1}, fmt::format("{}.{}", path, i + 1), kind.row, value[i]);
+  /// One of these words, by its index.
+  std::optional<std::size_t> choice(const Named& key, std::string_view value, std::vector<std::string_view> words) {
+    const auto text = word(key, value, words);
+    return text ? std::optional<std::size_t>(std::find(words.begin(), words.end(), *text) - words.begin())
+                : std::nullopt;
   }
-  // What does not fit into a line: names, which have an action of their own, files, transforms, the lists of a mesh.
-  template <class Kind, class T>
-  void row(const KeyLabel& /*label*/, const std::string& /*path*/, const Kind& /*kind*/, T& /*value*/) {}
+  /// Numbers: changes them to those that are wanted, if they may be that.
+  void numbers(const Named& key, std::span<double> values, const Rules& rules) {
+    std::string shown;
+    // One that is not finite is no limit, and no text.
+    for (const double value : values)
+      if (std::isfinite(value))
+        shown += (shown.empty() ? "" : " ") + typeset_number(fmt::format("{:.6g}", value), language_);
+    list(key, shown, {});
+    if (!is_wanted(key)) return;
+    wanted_->found = true;
+    auto given = numbers_of(wanted_->text);
+    if (!given) return refuse("expected numbers, with spaces between them", {});
+    if (given->empty() && shown.empty()) return;
+    if (rules.shorthand == schema::Shorthand::grey && given->size() == 1) given->resize(values.size(), given->front());
+    if ((rules.shorthand == schema::Shorthand::flat || rules.is_direction) && given->size() + 1 == values.size())
+      given->push_back(0);
+    const std::string expected = "expected " + rules.expected;
+    if (given->size() != values.size()) return refuse(expected, rules.each.hint);
+    double square = 0;
+    for (const double number : *given) {
+      const auto why = rules.each.refusal(number);
+      if (rules.is_whole && (why || number != std::floor(number))) return refuse(expected, {});
+      if (why) return refuse("expected " + why->expected, why->hint);
+      square += number * number;
+    }
+    if (rules.is_direction && square < 1 / (schema::max_magnitude * schema::max_magnitude))
+      return refuse(expected, rules.each.hint);
+    std::copy(given->begin(), given->end(), values.begin());
+    wanted_->changed = true;
+  }
 
-  /// One of the kinds that need no file, or the one that it is.
-  void pick_kind(AnySky& value, std::string_view sentence) {
-    std::vector<std::string_view> words;
-    const std::vector<AnySky> kinds = schema::kinds_beside(value, words);
-    const auto own = std::visit([](const auto& kind) { return std::string(schema::type_name(kind)); }, value);
-    word({table_, "type", sentence}, prefix_ + "type", own, words, [&](std::string_view text) {
-      const auto at = static_cast<std::size_t>(std::find(words.begin(), words.end(), text) - words.begin());
-      if (kinds[at].index() != value.index()) value = kinds[at];
-      return true;
-    });
+  /// What follows is of the table that this key has; give it back to `leave`.
+  struct Outer {
+    std::string_view table;
+    std::string prefix;
+  };
+  [[nodiscard]] Outer enter(std::string_view name) {
+    return {std::exchange(table_, name), std::exchange(prefix_, path_of({name}) + ".")};
+  }
+  void leave(Outer outer) { table_ = outer.table, prefix_ = std::move(outer.prefix); }
+  /// What was listed from there on has no value.
+  void empty_from(std::size_t first) {
+    for (std::size_t i = first; i < listed(); ++i) (*list_)[i].value.clear();
+  }
+
+ private:
+  [[nodiscard]] std::string path_of(const Named& key) const {
+    std::string path = prefix_ + std::string(key.name);
+    return key.row == 0 ? path : fmt::format("{}.{}", path, key.row);
+  }
+  void list(const Named& key, std::string value, std::vector<std::string_view> words) {
+    if (list_ == nullptr) return;
+    const KeyLabel label(KeyLabel(table_, key.name, key.sentence), key.row);
+    list_->push_back({path_of(key), label.words(language_), label.hint(language_), std::move(value), std::move(words)});
   }
 
   Language language_;
@@ -251,6 +186,106 @@ class KeyFields : public schema::RowFields<KeyFields> {
   std::string prefix_;
   std::vector<KeyText>* list_;
   Wanted* wanted_;
+};
+
+/// The `Fields` of the schema that lists each key whose value fits into a line, or gives one of them another value.
+class KeyFields : public KeyRows, public schema::RowFields<KeyFields> {
+ public:
+  using KeyRows::KeyRows, schema::RowFields<KeyFields>::key;
+
+  template <class T, class Kind>
+  void key(std::string_view name, T& value, const Kind& kind, std::string_view sentence) {
+    row({name, sentence}, kind, value);
+  }
+  template <class T, class Kind>
+  void key(std::string_view name, std::optional<T>& value, const Kind& kind, std::string_view sentence) {
+    const Named named{name, sentence};
+    if (is_taken_away(named, value.has_value())) return value.reset();
+    T one = value.value_or(T{});
+    const std::size_t first = listed();
+    row(named, kind, one);
+    if (is_wanted(named) && has_changed()) value = one;
+    if (!value) empty_from(first);
+  }
+  template <class T>
+  void key(std::string_view name, std::optional<T>& value, const schema::Table& /*kind*/) {
+    if constexpr (requires { value->file; }) {
+      // It is there with its file.
+      if (const auto file = word({name}, value ? std::string_view(value->file) : std::string_view(), {})) {
+        if (file->empty())
+          value.reset();
+        else
+          value = value.value_or(T{}), value->file = *file, value->pixels = nullptr;  // loaded with the change
+      }
+    } else if (const auto there = flag({name}, value.has_value())) {
+      if (!*there) value.reset();
+      if (*there && !value) value.emplace();
+    }
+    if (!value) return;
+    Outer outer = enter(name);
+    schema::describe(*this, *value);
+    leave(std::move(outer));
+  }
+  template <class... Kinds>
+  void type(std::variant<Kinds...>& value, std::string_view sentence) {
+    if constexpr (std::is_same_v<std::variant<Kinds...>, AnySky>) pick_kind(value, sentence);
+    std::visit([&](auto& kind) { schema::describe(*this, kind); }, value);
+  }
+  void check(std::string_view /*key*/, bool holds, std::string_view message, std::string_view hint) {
+    if (has_changed() && !holds) refuse(message, hint);
+  }
+  template <class Why>
+  void check(std::string_view /*key*/, const Why& why, std::string_view hint) {
+    if (has_changed()) refuse_if(std::string(why()), hint);
+  }
+
+ private:
+  void row(const Named& key, const schema::Number& kind, double& value) {
+    numbers(key, {&value, 1}, {kind, kind.expected()});
+  }
+  void row(const Named& key, const schema::Whole& kind, int& value) {
+    const schema::Number limits{
+        .words = {}, .low = static_cast<double>(kind.low), .high = static_cast<double>(kind.high)};
+    double number = value;
+    numbers(key, {&number, 1}, {limits, kind.expected(), schema::Shorthand::none, false, true});
+    value = static_cast<int>(number);
+  }
+  void row(const Named& key, const schema::Flag& /*kind*/, bool& value) { value = flag(key, value).value_or(value); }
+  template <class T>
+  void row(const Named& key, const schema::Choice<T>& /*kind*/, T& value) {
+    if (const auto chosen = choice(key, name_of(value), all_words<T>())) value = static_cast<T>(*chosen);
+  }
+  template <class T>
+  void row(const Named& key, const schema::Tuple& kind, T& value) {
+    std::array<double, 16> all{};
+    std::size_t count = 0;
+    schema::each_number(value, [&](double& number) { all[count++] = number; });
+    numbers(key, std::span(all.data(), count), {kind.number, kind.expected(), kind.shorthand, kind.is_direction});
+    count = 0;
+    schema::each_number(value, [&](double& number) { number = all[count++]; });
+  }
+  void row(const Named& key, const schema::Colour& kind, Rgbd& value) {
+    row(key, static_cast<const schema::Tuple&>(kind), value);
+  }
+  template <class T>
+  void row(const Named& key, const schema::Rows& kind, std::vector<T>& value) {
+    constexpr std::size_t most = 100;  // of what is listed
+    for (std::size_t i = 0; i < std::min(value.size(), most); ++i)
+      row(Named{key.name, key.sentence, static_cast<int>(i) + 1}, kind.row, value[i]);
+  }
+  // What does not fit into a line: names, which have an action of their own, files, transforms, the lists of a mesh.
+  template <class Kind, class T>
+  void row(const Named& /*key*/, const Kind& /*kind*/, T& /*value*/) {}
+
+  /// One of the kinds that need no file, or the one that it is.
+  void pick_kind(AnySky& value, std::string_view sentence) {
+    std::vector<std::string_view> words;
+    const std::vector<AnySky> kinds = schema::kinds_beside(value, words);
+    const std::string_view own =
+        std::visit([](const auto& kind) { return std::string_view(schema::type_name(kind)); }, value);
+    const auto chosen = choice({"type", sentence}, own, words);
+    if (chosen && kinds[*chosen].index() != value.index()) value = kinds[*chosen];
+  }
 };
 
 /// Lists the keys of a thing, or gives one of them another value: then what does so.
