@@ -79,7 +79,7 @@ inline constexpr auto kernel_sets = [] {
                                                    {yes, yes, no, yes},
                                                    {yes, yes, yes, yes}}};
   constexpr std::array<std::pair<bool, bool>, 3> lights{{{no, no}, {yes, no}, {yes, yes}}};  // shadows, penumbras
-  std::array<HitEffects, few_kernels ? 6 : scatterings.size() * 2 * lights.size() + 3> sets{};
+  std::array<HitEffects, few_kernels ? 5 : scatterings.size() * 2 * lights.size() + 3> sets{};
   std::size_t at = 0;
   for (const Scattering& to : scatterings)
     for (const auto& [shadows, penumbra] : lights)
@@ -101,7 +101,7 @@ inline constexpr auto kernel_sets = [] {
                              no};
         if (set == widened(set)) sets[at++] = set;
       }
-  sets[at++] = no_occlusion;  // for looking, and need not be fast
+  if (!few_kernels) sets[at++] = no_occlusion;  // for looking, and need not be fast
   if (!few_kernels) sets[at++] = no_filtering_nor_facets;
   sets[at] = no_filtering;
   return sets;
@@ -109,6 +109,7 @@ inline constexpr auto kernel_sets = [] {
 
 /// The smallest of these that holds a world's effects; but for filtering and maps, which have kernels of their own.
 [[nodiscard]] constexpr std::size_t kernel_set_for(HitEffects set) {
+  if (few_kernels) set.occlusion = true;  // they ask the world
   if (!set.occlusion) {
     set = no_occlusion;
   } else if (set.microfacets || (few_kernels && (set.sky || set.scattering))) {
@@ -147,7 +148,7 @@ Kernel<T> fitting_kernel(const World<T>& world) {
   }(std::make_index_sequence<kernel_sets.size()>());
   HitEffects set = hit_effects(world.effects, world.lights.size(), !world.bodies.empty());
   set.occlusion = world.occludes;
-  if ((set.filtering || set.maps || set.bounced) && set.occlusion) return filtering_kernel(world);
+  if ((set.filtering || set.maps || set.bounced) && (set.occlusion || few_kernels)) return filtering_kernel(world);
   return kernels[kernel_set_for(set)];
 }
 
@@ -155,7 +156,6 @@ template <class T>
 Statistics run_watched_kernel(const World<T>& world, const RayGenerator<T>& camera, const PixelBlock& block,
                               const PutPixel<T>& put, Observer& observer) {
   if (world.numerics == Numerics::naive) return run_watched_naive_kernel(world, camera, block, put, observer);
-  if (!world.occludes) return run_tracer<Policy<T, Observer, no_occlusion>>(world, camera, block, put, observer);
   return run_tracer<Policy<T, Observer>>(world, camera, block, put, observer);
 }
 

@@ -33,7 +33,6 @@ Statistics trace_pencils_watched(const World<T>& world, const RayGenerator<T>& c
   // As those that watch the tracer (trace/kernel_of.h).
   if (world.numerics == Numerics::naive)
     return run_with.template operator()<Policy<T, Observer, all_hit_effects, Numerics::naive>>();
-  if (!world.occludes) return run_with.template operator()<Policy<T, Observer, no_occlusion>>();
   return run_with.template operator()<Policy<T, Observer>>();
 }
 

@@ -120,6 +120,13 @@ struct Policy {
   /// Whether there are hooks for fault injection: the fault that a world names breaks the tracer on purpose
   /// (trace/fault.h). A kernel without them contains none of their code.
   static constexpr bool faulty = Faulty;
+
+  /// Whether shadow rays are traced. Of kernels that need to be fast and are many, those for looking alone do not; the
+  /// others ask the world.
+  [[nodiscard]] static constexpr bool occludes(const auto& world) {
+    constexpr bool asks = Observer::watches || few_kernels || Arithmetic == Numerics::naive;
+    return asks ? world.occludes : effects.occlusion;
+  }
 };
 
 /// The policy's hook for fault injection: lets the fault that the world names change what a statement has computed.

@@ -168,8 +168,8 @@ inline auto Tracer<Policy>::form_shadow_ray(int depth, const ShadingPoint& at, c
     return std::nullopt;
   }
   Shadow shadow{spawn_ray<Ray>(world_, at.position, at.geometric_normal(), at.departure, to_light, ray.ray.time),
-                Policy::effects.occlusion ? rays_formed_++ : 0};
-  if constexpr (!Policy::effects.occlusion) return shadow;  // the way to the light, along which nothing is looked for
+                Policy::occludes(world_) ? rays_formed_++ : 0};
+  if (!Policy::occludes(world_)) return shadow;  // the way to the light, along which nothing is looked for
   if constexpr (Policy::effects.refraction) shadow.in.medium = medium_on_side(at, ray, false);
   inject<Policy>(world_, Fault::epsilon_too_small, [&] { shadow.ray.origin = at.position; });
   ++statistics_.formed(RayKind::shadow);
@@ -185,7 +185,7 @@ inline auto Tracer<Policy>::form_shadow_ray(int depth, const ShadingPoint& at, c
 /// The visibility of the light: 0 behind an opaque object.
 template <class Policy>
 inline auto Tracer<Policy>::find_intersection(int depth, const Shadow& shadow, const Light& light) -> Rgb<T> {
-  if constexpr (!Policy::effects.occlusion) return Rgb<T>(1);
+  if (!Policy::occludes(world_)) return Rgb<T>(1);
   const T t_max = light.t_far();
   const Medium* medium = nullptr;
   if constexpr (Policy::effects.refraction) medium = shadow.in.medium;

@@ -32,6 +32,7 @@ Rendering drawn(const Scene& scene) {
 TEST_CASE(
     "without shadows no shadow ray is formed, every light in front of a surface reaches it, the rest is as it was") {
   Scene scene = classic();
+  scene.render.numerics = GENERATE(Numerics::robust, Numerics::naive);
   const Timeline with = record_strip(scene);
   const Rendering lit = drawn(scene);
   scene.render.switches.shadows = false;
@@ -59,8 +60,10 @@ TEST_CASE(
 }
 
 TEST_CASE("watched or not, a scene without shadows, reflection or refraction has the same bits") {
+  const Numerics numerics = GENERATE(Numerics::robust, Numerics::naive);
   for (int left_out = 0; left_out < 8; ++left_out) {
     Scene scene = classic();
+    scene.render.numerics = numerics;
     scene.render.switches = {(left_out & 1) == 0, (left_out & 2) == 0, (left_out & 4) == 0};
     CAPTURE(left_out);
     const Timeline watched = record_strip(scene);
