@@ -72,7 +72,8 @@ void note_down_all(std::vector<Said>& said, const std::vector<OutlineItem>& item
 /// What is read out to whoever cannot see the window, and not said already: all but the lesson, the code, which is the
 /// same in every step, and what offers whatever there is, all alike: the things of the plan, and what can be chosen.
 void note_down_outline(std::vector<Said>& said, const State& state) {
-  constexpr std::array<std::string_view, 5> elsewhere{"lesson", "code", "plan", "breakpoints", "image-settings"};
+  constexpr std::array<std::string_view, 6> elsewhere{"lesson",      "code",       "plan",
+                                                      "breakpoints", "cost-knobs", "image-settings"};
   std::vector<Said> read_out;
   for (const OutlineItem& region : outline(state))
     if (std::find(elsewhere.begin(), elsewhere.end(), region.key) == elsewhere.end())
