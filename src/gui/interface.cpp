@@ -5,7 +5,7 @@
 #include "gui/style.h"
 #include "gui/widgets.h"
 #include "view/band/band.h"
-#include "view/document/keys.h"
+#include "view/document/properties.h"
 #include "view/lesson/lesson_panel.h"
 #include "view/walk/asked.h"
 

@@ -1,68 +1,79 @@
+#include "view/document/properties.h"
 #include "gui/command.h"
 #include "gui/form.h"
 #include "gui/panes.h"
-#include "gui/schema_form.h"
 #include "gui/widgets.h"
-#include "view/document/keys.h"
 #include "view/text/shown.h"
 #include "view/text/text.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <span>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace raywalk {
 
 namespace {
 
-void object_rows(const Ui& ui, Form& form, int index) {
-  const Object& object = ui.state.scene().objects[static_cast<std::size_t>(index)];
-  std::string name = shown_name(ui.state, object.name);
-  if (form.text("property.name", name)) ui.act(action::Rename{{TargetKind::object, index}, name});
-  ObjectShape shape = object.shape;
-  if (std::visit([&](auto& s) { return SchemaForm::draw(form, schema::type_name(s), s); }, shape))
-    ui.act(action::SetShape{index, shape, form.continues()});
-  if (std::holds_alternative<Instance>(object.shape)) return;
-  form.heading("property.material");
-  Material material = object.material;
-  if (SchemaForm::draw(form, "material", material)) ui.act(action::SetMaterial{index, material, form.continues()});
-}
+/// Properties as the fields of a form.
+class FormRows final : public PropertyRows {
+ public:
+  explicit FormRows(Form& form) : form_(form) {}
 
-void light_rows(const Ui& ui, Form& form, int index) {
-  Light light = ui.state.scene().lights[static_cast<std::size_t>(index)];
-  std::string name = shown_name(ui.state, light.name);
-  if (form.text("property.name", name)) ui.act(action::Rename{{TargetKind::light, index}, name});
-  if (SchemaForm::draw(form, "light", light)) ui.act(action::SetLight{index, light, form.continues()});
-}
-
-void camera_rows(const Ui& ui, Form& form) {
-  const Camera& before = ui.state.scene().camera;
-  Camera camera = before;
-  const bool changed = SchemaForm::draw(form, "camera", camera),
-             resized = SchemaForm::draw(form, "screen", camera.screen);
-  if (!changed && !resized) return;
-  // What is now stated begins as it was without; the picture's width is stated by the angle or by the screen.
-  if (camera.focus && !before.focus) camera.focus = before.focus_distance();
-  if (camera.screen.width && !before.screen.width) {
-    camera.screen.width = before.screen_width();
-    camera.fov.reset();
-  } else if (!camera.screen.width && before.screen.width) {
-    camera.fov = FieldOfView{2 * std::atan(before.half_extent()) * 180 / std::numbers::pi};
+  bool number(const Key& key, double& value, const schema::Number& kind) override {
+    return std::isfinite(value) && form_.number(label(key), value, step_of(kind, value), least(kind), most(kind));
   }
-  ui.act(action::SetCamera{camera, form.continues()});
-}
+  bool whole(const Key& key, int& value, const schema::Whole& kind) override {
+    return form_.whole(label(key), value, kind.low, kind.high);
+  }
+  bool flag(const Key& key, bool& value) override { return form_.flag(label(key), value); }
+  bool choice(const Key& key, std::size_t& chosen, const std::vector<std::string_view>& words) override {
+    int index = static_cast<int>(chosen);
+    if (!form_.pick(label(key), words, index)) return false;
+    chosen = static_cast<std::size_t>(index);
+    return true;
+  }
+  bool numbers(const Key& key, std::span<double> values, const schema::Tuple& kind) override {
+    double largest = 0;
+    for (const double value : values) largest = std::max(largest, std::abs(value));
+    return form_.vector(label(key), values.data(), static_cast<int>(values.size()), step_of(kind.number, largest),
+                        least(kind.number), most(kind.number));
+  }
+  bool colour(const Key& key, Rgbd& value, const schema::Colour& kind) override {
+    return form_.colour(label(key), value, kind.number.high);
+  }
+  bool file(const Key& key, std::string& value) override { return form_.text(label(key), value); }
+  bool name(std::string& value) override { return form_.text("property.name", value); }
+  void heading(std::string_view id) override { form_.heading(id); }
+  // A field shows by itself what it does not take.
+  void broken(std::string_view /*message*/, std::string_view /*hint*/) override {}
 
-void scene_rows(const Ui& ui, Form& form) {
-  form.heading("scene.settings");
-  Scene scene;  // of its own keys those that have fields; the rest may be large
-  scene.background = ui.state.scene().background;
-  scene.ambient = ui.state.scene().ambient;
-  scene.sky = ui.state.scene().sky;
-  if (SchemaForm::draw(form, "scene", scene))
-    ui.act(action::SetSurroundings{scene.background, scene.ambient, scene.sky, form.continues()});
-  TraceLimits limits = ui.state.scene().limits;
-  if (SchemaForm::draw(form, "limits", limits)) ui.act(action::SetLimits{limits, form.continues()});
+ private:
+  static KeyLabel label(const Key& key) { return {KeyLabel(key.table, key.name, key.sentence), key.row}; }
+  /// Of dragging by a pixel.
+  static double step_of(const schema::Number& kind, double value) {
+    return kind.unit == schema::degrees ? 0.2 : std::max(0.005, std::abs(value) / 200);
+  }
+  static double least(const schema::Number& kind) {
+    return kind.above_low ? kind.low + 1 / schema::max_magnitude : kind.low;
+  }
+  static double most(const schema::Number& kind) {
+    return kind.below_high ? std::nextafter(kind.high, kind.low) : kind.high;
+  }
+
+  Form& form_;
+};
+
+/// Acts, as a part of the edit before if the form says so.
+void act(const Ui& ui, PropertyEdit edit, bool continues) {
+  std::visit(
+      [&](auto& each) {
+        if constexpr (requires { each.continues; }) each.continues = continues;
+        ui.act(std::move(each));
+      },
+      edit);
 }
 
 }  // namespace
@@ -94,18 +105,8 @@ void PropertiesPane::draw(const Ui& ui, const Rect& where, bool focus) {
   if (std::exchange(focus_field_, false)) form.focus_next();
   if (focus) ImGui::SetWindowFocus();
   focus_field_ |= focus;
-  switch (owner_of(target)) {
-    case Owner::object:
-      object_rows(ui, form, target.index);
-      break;
-    case Owner::light:
-      light_rows(ui, form, target.index);
-      break;
-    case Owner::camera_and_scene:
-      camera_rows(ui, form);
-      scene_rows(ui, form);
-      break;
-  }
+  FormRows rows(form);
+  if (auto edit = property_rows(ui.state, target, rows)) act(ui, std::move(*edit), form.continues());
   ImGui::PopID();
   ImGui::PopID();
   ImGui::PopStyleVar(2);

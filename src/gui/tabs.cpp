@@ -1,6 +1,6 @@
 #include "gui/panes.h"
 #include "gui/widgets.h"
-#include "view/document/keys.h"
+#include "view/document/properties.h"
 
 #include <algorithm>
 #include <string_view>

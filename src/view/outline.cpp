@@ -2,7 +2,7 @@
 
 #include "view/bugs/bug_panel.h"
 #include "view/document/document.h"
-#include "view/document/keys.h"
+#include "view/document/properties.h"
 #include "view/document/question.h"
 #include "view/ink/ink.h"
 #include "view/lesson/lesson_panel.h"
@@ -474,8 +474,8 @@ Result<Action> outlined_action(const State& state, std::string_view does, std::s
     if (value.empty()) return Action(action::SetLinkPage{});
   } else if (does.starts_with("open") || does.starts_with("save") || does.starts_with("export")) {
     if (value.empty()) return refused("outline.no_path");
-  } else if (does.starts_with("set ") || does.starts_with("rename ")) {
-    if (value.empty() && does.starts_with("rename ")) return refused("outline.no_name");
+  } else if (does.starts_with("set ")) {
+    if (value.empty() && does.find(" name {}") != std::string_view::npos) return refused("outline.no_name");
   } else if (does.starts_with("guess-number")) {
     const auto guess = typed_guess(state.lessons, typed);
     if (!guess) return refused("lesson.not_a_number");

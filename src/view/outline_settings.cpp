@@ -1,6 +1,6 @@
 #include "scene/effects.h"
 #include "view/cost/cost.h"
-#include "view/document/keys.h"
+#include "view/document/properties.h"
 #include "view/outline_items.h"
 #include "view/text/choice_text.h"
 #include "view/text/shown.h"
@@ -64,17 +64,10 @@ void outline_breakpoints(const State& state, OutlineItem& region) {
 void outline_properties(const State& state, OutlineItem& region) {
   const Language language = state.appearance.language;
   const Target& of = state.plan.selected;
-  if (owner_of(of) != Owner::camera_and_scene) {
-    const bool of_light = owner_of(of) == Owner::light;
-    const Target whole{of_light ? TargetKind::light : TargetKind::object, of.index};
-    field(region, Role::words, "name", std::string(text("property.name", language)),
-          write_action(action::Rename{whole, "{}"}),
-          of_light ? light_name(state, of.index) : object_name(state, of.index));
-  }
-  const auto to = [&](const KeyText& key, std::string_view value) {
+  const auto to = [&](const PropertyText& key, std::string_view value) {
     return action::SetKey{of, fmt::format("{} {}", key.key, value)};
   };
-  for (const KeyText& key : keys_of(state, of)) {
+  for (const PropertyText& key : property_texts(state, of)) {
     if (key.words.empty()) {
       field(region, Role::words, key.key, key.label, write_action(to(key, "{}")), key.value);
     } else if (key.words.front() == on_or_off.yes) {

@@ -1,6 +1,6 @@
 // The keys of a thing as texts: all that a form has fields for, set by a line, refused as a scene file is.
 
-#include "view/document/keys.h"
+#include "view/document/properties.h"
 
 #include "io/scene_file.h"
 #include "view/action_text.h"
@@ -23,18 +23,18 @@ namespace {
 Target object(int index) { return {TargetKind::object, index, -1}; }
 const Target the_eye{TargetKind::eye, -1, -1};
 
-const KeyText* find(const std::vector<KeyText>& keys, std::string_view key) {
-  const auto at = std::find_if(keys.begin(), keys.end(), [&](const KeyText& each) { return each.key == key; });
+const PropertyText* find(const std::vector<PropertyText>& keys, std::string_view key) {
+  const auto at = std::find_if(keys.begin(), keys.end(), [&](const PropertyText& each) { return each.key == key; });
   return at == keys.end() ? nullptr : &*at;
 }
 
 std::string value_of(const State& state, const Target& target, std::string_view key) {
-  const std::vector<KeyText> keys = keys_of(state, target);
-  const KeyText* found = find(keys, key);
+  const std::vector<PropertyText> keys = property_texts(state, target);
+  const PropertyText* found = find(keys, key);
   return found == nullptr ? "there is none" : found->value;
 }
 
-State classic_keys_state() {
+State classic_with_words() {
   State state = test::classic_state();
   state.appearance.language = test::in_english;
   return state;
@@ -68,18 +68,18 @@ TEST_CASE("a key that is given its own value leaves the scene as it is, in every
     if (targets.size() > 6) targets.resize(6);
     for (const Target& target : targets) {
       std::set<std::string> names;
-      const std::vector<KeyText> keys = keys_of(state, target);
-      // Of an instance all is elsewhere.
-      CHECK((keys.empty() ==
+      const std::vector<PropertyText> keys = property_texts(state, target);
+      // Of an instance all but its name is elsewhere.
+      CHECK((keys.size() == 1 ==
              (target.kind == TargetKind::object &&
               std::holds_alternative<Instance>(state.scene().objects[static_cast<std::size_t>(target.index)].shape))));
-      for (const KeyText& each : keys) {
+      for (const PropertyText& each : keys) {
         CAPTURE(name_of(target.kind), target.index, each.key, each.value);
         CHECK(names.insert(each.key).second);
         CHECK_FALSE(each.label.empty());
         kinds.insert(each.key);
         // Printed digits are fewer than those of some numbers.
-        const auto edit = edit_of_key(state, target, each.key, each.value);
+        const auto edit = edit_of_property(state, target, each.key, each.value);
         if (!edit) {
           CHECK(edit.error().text() == "");
           continue;
@@ -87,7 +87,7 @@ TEST_CASE("a key that is given its own value leaves the scene as it is, in every
         State next = state;
         update(next, action::SetKey{target, each.key + " " + each.value});
         CHECK_FALSE(next.document.notice.has_value());
-        const std::vector<KeyText> after = keys_of(next, target);
+        const std::vector<PropertyText> after = property_texts(next, target);
         REQUIRE(after.size() == keys.size());
         for (std::size_t i = 0; i < keys.size(); ++i) {
           CHECK(after[i].key == keys[i].key);
@@ -105,7 +105,7 @@ TEST_CASE("a key that is given its own value leaves the scene as it is, in every
 }
 
 TEST_CASE("keys are set by a line of a demo, undone, and followed by the walk") {
-  State state = classic_keys_state();
+  State state = classic_with_words();
   const auto act = [&](const std::string& line) {
     const Result<Action> action = parse_action(line);
     REQUIRE(action);
@@ -133,20 +133,24 @@ TEST_CASE("keys are set by a line of a demo, undone, and followed by the walk") 
   CHECK(state.scene().limits.depth == 3);
   act("set eye -1 -1 scene.background 0.1 0.2 0.3");
   CHECK(state.scene().background == Rgbd(0.1, 0.2, 0.3));
+  act("set eye -1 -1 screen.width_set on");
+  CHECK(state.scene().camera.screen.width == Approx(before.camera.screen_width()));
+  CHECK_FALSE(state.scene().camera.fov);
   act("set eye -1 -1 screen.width 3");
   CHECK(state.scene().camera.screen.width == 3);
-  CHECK_FALSE(state.scene().camera.fov);
-  act("set eye -1 -1 screen.width");
+  act("set eye -1 -1 screen.width_set off");
   CHECK_FALSE(state.scene().camera.screen.width);
   CHECK(state.scene().camera.fov);
+  act("set object 0 -1 name A ball");
+  CHECK(state.scene().objects[0].name == "A ball");
   CHECK_FALSE(state.document.notice);
-  for (int i = 0; i < 11; ++i) update(state, action::Undo{});
+  for (int i = 0; i < 13; ++i) update(state, action::Undo{});
   CHECK(state.scene() == before);
-  CHECK(keys_of(state, object(0)).size() == keys_of(classic_keys_state(), object(0)).size());
+  CHECK(property_texts(state, object(0)).size() == property_texts(classic_with_words(), object(0)).size());
 }
 
 TEST_CASE("what no key takes is refused with its reason, and changes nothing") {
-  State state = classic_keys_state();
+  State state = classic_with_words();
   const Scene before = state.scene();
   const auto refused = [&](const Target& target, const std::string& setting, const std::string& why) {
     CAPTURE(setting);
