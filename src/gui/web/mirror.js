@@ -57,17 +57,18 @@ class Mirror {
     }
   }
 
-  // What a command opens stands far from its button: the focus goes there.
+  // What a button opens stands far from it: the focus goes there. What is folded is opened only here.
   press(button, { does, to }) {
     const regions = () => [...this.place.querySelectorAll('.outline > section')];
-    if (to) {
-      const region = regions().find((each) => each.dataset.key === 'region ' + to);
-      region.querySelector('details').open = true;
-      return region.querySelector('h2').focus();
+    const named = () => regions().find((each) => each.dataset.key === 'region ' + to);
+    const folded = to && named()?.querySelector('details');
+    if (folded) {
+      folded.open = true;
+      return folded.querySelector('h2').focus();
     }
     const before = new Set(regions());
     this.act(does, '');
-    const opened = button.dataset.key.startsWith('button command-') && regions().find((each) => !before.has(each));
+    const opened = to ? named() : button.dataset.key.startsWith('button command-') && regions().find((each) => !before.has(each));
     if (opened) opened.querySelector('h2').focus();
   }
 
