@@ -70,7 +70,7 @@ TEST_CASE("a key that is given its own value leaves the scene as it is, in every
       std::set<std::string> names;
       const std::vector<PropertyText> keys = property_texts(state, target);
       // Of an instance all but its name is elsewhere.
-      CHECK((keys.size() == 1 ==
+      CHECK(((keys.size() == 1) ==
              (target.kind == TargetKind::object &&
               std::holds_alternative<Instance>(state.scene().objects[static_cast<std::size_t>(target.index)].shape))));
       for (const PropertyText& each : keys) {
@@ -168,7 +168,7 @@ TEST_CASE("what no key takes is refused with its reason, and changes nothing") {
   refused(object(0), "radius 1e400", "expected numbers");
   refused(object(0), "centre 1", "expected [x, y]");
   refused(object(0), "raduis 1", "there is no key 'raduis' here");
-  refused(object(0), "raduis 1", "one of: centre, radius");
+  refused(object(0), "raduis 1", "one of: name, centre, radius");
   refused(object(0), "material.dielectric maybe", "expected \"on\" or \"off\"");
   refused(object(0), "material.shadow none of it", "expected \"");
   refused(object(0), "material.ior 0", "expected");

@@ -93,7 +93,7 @@ class TextRows final : public PropertyRows {
     return true;
   }
   bool file(const Key& key, std::string& value) override { return words(key, value); }
-  bool name(std::string& value) override { return words({{}, "name"}, value); }
+  bool name(std::string& value) override { return words({"object", "name"}, value); }
   void heading(std::string_view /*id*/) override {}
   void enter(std::string_view table) override { prefix_ += std::string(table) + "."; }
   void leave() override {
