@@ -129,7 +129,8 @@ struct Rename {
   static void fields(auto& f, auto& a) { f(a.target), f(a.name); }
   void apply(State& state) const;
 };
-/// A key of an object, a light, or of camera and scene, and its value (view/document/properties.h): "material.diffuse 0.5".
+/// A key of an object, a light, or of camera and scene, and its value (view/document/properties.h): "material.diffuse
+/// 0.5".
 struct SetKey {
   static constexpr std::string_view word = "set";
   Target target;
