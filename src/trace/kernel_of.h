@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <type_traits>
 #include <utility>
 
 namespace raywalk::detail {
@@ -143,13 +144,18 @@ static_assert(
 template <class T>
 Kernel<T> fitting_kernel(const World<T>& world) {
   if (world.numerics == Numerics::naive) return &run_naive_kernel<T>;
-  static constexpr auto kernels = []<std::size_t... I>(std::index_sequence<I...>) {
-    return std::array<Kernel<T>, sizeof...(I)>{&run_kernel<T, kernel_sets[I]>...};
-  }(std::make_index_sequence<kernel_sets.size()>());
-  HitEffects set = hit_effects(world.effects, world.lights.size(), !world.bodies.empty());
-  set.occlusion = world.occludes;
-  if ((set.filtering || set.maps || set.bounced) && (set.occlusion || few_kernels)) return filtering_kernel(world);
-  return kernels[kernel_set_for(set)];
+  // Single precision is for comparing: where there are to be few kernels, the largest does.
+  if constexpr (few_kernels && std::is_same_v<T, float>) {
+    return filtering_kernel(world);
+  } else {
+    static constexpr auto kernels = []<std::size_t... I>(std::index_sequence<I...>) {
+      return std::array<Kernel<T>, sizeof...(I)>{&run_kernel<T, kernel_sets[I]>...};
+    }(std::make_index_sequence<kernel_sets.size()>());
+    HitEffects set = hit_effects(world.effects, world.lights.size(), !world.bodies.empty());
+    set.occlusion = world.occludes;
+    if ((set.filtering || set.maps || set.bounced) && (set.occlusion || few_kernels)) return filtering_kernel(world);
+    return kernels[kernel_set_for(set)];
+  }
 }
 
 template <class T>
