@@ -17,6 +17,7 @@
 #include "view/fixtures.h"
 
 using namespace raywalk;
+using test::contains;
 
 namespace {
 

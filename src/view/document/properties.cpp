@@ -1,6 +1,7 @@
 #include "view/document/properties.h"
 
 #include "scene/schema.h"
+#include "view/action.h"
 #include "view/state.h"
 #include "view/text/shown.h"
 #include "view/text/text.h"

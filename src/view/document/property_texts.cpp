@@ -1,4 +1,5 @@
 #include "text/toml_text.h"
+#include "view/action.h"
 #include "view/document/document.h"
 #include "view/document/properties.h"
 #include "view/state.h"
