@@ -1,5 +1,5 @@
 #pragma once
-// What is said of parts, whether of beams or of cones.
+// What is said of parts, whether of beams or of cones, and what pencils say by the same means.
 
 #include "timeline/message.h"
 

@@ -1,6 +1,6 @@
 #include "timeline/pencil_message.h"
 
-#include "math/overloaded.h"
+#include "timeline/part_words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,11 +11,7 @@ namespace raywalk {
 
 namespace {
 
-std::string object_name(const Scene& scene, int index) {
-  return index < 0 ? std::string() : scene.objects[static_cast<std::size_t>(index)].name;
-}
-
-/// In the plan.
+/// Of the matrix in the plan, at a surface of `object` or after a transfer.
 Message of_plan(Line line, const PencilChanged& changed, const std::string& object) {
   const PencilMatrix& m = changed.system->plan;
   if (line == Line::transfer_pencil) {
@@ -63,42 +59,46 @@ Message of_space(Line line, const PencilChanged& changed, const std::string& obj
   return {"walk.space_pencil_parallel", {{"object", object}}};
 }
 
-/// What `changed` made of the matrix. `object`: at which surface, but for a transfer.
-Message of_matrix(const Timeline& timeline, Line line, const PencilChanged& changed, const std::string& object) {
-  if (!changed.system) return {"walk.pencil_lost", {}};
-  return timeline.of_strip() && changed.system->is_unmixed() ? of_plan(line, changed, object)
-                                                             : of_space(line, changed, object);
-}
+class PencilDescriber : PartWords {
+ public:
+  PencilDescriber(const Scene& scene, const Timeline& timeline, int position) : PartWords(scene, timeline, position) {}
+
+  [[nodiscard]] std::optional<Message> message() const {
+    return std::visit([&](const auto& detail) { return describe(event(), detail); }, event().detail);
+  }
+
+ private:
+  using PartWords::describe;
+
+  [[nodiscard]] Told describe(const Event& /*event*/, const RayFormed& formed) const {
+    if (formed.kind != RayKind::primary) return std::nullopt;
+    if (timeline_.of_strip()) return Message{"walk.pencil_formed", {{"cell", pixel().column}}};
+    return Message{"walk.image_pencil_formed", {{"column", pixel().column}, {"row", pixel().row}}};
+  }
+  /// What has become of the matrix.
+  [[nodiscard]] Told describe(const Event& event, const PencilChanged& changed) const {
+    if (!changed.system) return Message{"walk.pencil_lost", {}};
+    const bool in_plan = timeline_.of_strip() && changed.system->is_unmixed();
+    return in_plan ? of_plan(event.line, changed, shaded()) : of_space(event.line, changed, shaded());
+  }
+  [[nodiscard]] Told describe(const Event& /*event*/, const ShadeCalled& called) const {
+    if (called.missed) return Message{"walk.pencil_missed", {{"colour", called.background}}};
+    return Message{"walk.pencil_called", {{"depth", called.depth}, {"object", object(current().object)}}};
+  }
+  [[nodiscard]] Told describe(const Event& /*event*/, const ShadeComputed& computed) const {
+    return Message{"walk.pencil_shaded", {{"object", shaded()}, {"colour", computed.total}}};
+  }
+
+  [[nodiscard]] std::string shaded() const {
+    const int frame = timeline_.current_frame(position_);
+    return frame < 0 ? std::string() : object(ray(timeline_.frames()[static_cast<std::size_t>(frame)].ray).object);
+  }
+};
 
 }  // namespace
 
 std::optional<Message> pencil_message(const Scene& scene, const Timeline& timeline, int position) {
-  using Told = std::optional<Message>;
-  const Event& event = *timeline.just_run(position);
-  const auto ray = [&](int index) -> const RayRecord& { return timeline.rays()[static_cast<std::size_t>(index)]; };
-  const auto shaded = [&] {
-    const int frame = timeline.current_frame(position);
-    return frame < 0 ? std::string()
-                     : object_name(scene, ray(timeline.frames()[static_cast<std::size_t>(frame)].ray).object);
-  };
-  const auto tell = Overloaded{
-      [&](const RayFormed& formed) -> Told {
-        if (formed.kind != RayKind::primary) return std::nullopt;
-        const PixelRecord& pixel = timeline.pixels()[static_cast<std::size_t>(timeline.current_pixel(position))];
-        if (timeline.of_strip()) return Message{"walk.pencil_formed", {{"cell", pixel.column}}};
-        return Message{"walk.image_pencil_formed", {{"column", pixel.column}, {"row", pixel.row}}};
-      },
-      [&](const PencilChanged& changed) -> Told { return of_matrix(timeline, event.line, changed, shaded()); },
-      [&](const ShadeCalled& called) -> Told {
-        if (called.missed) return Message{"walk.pencil_missed", {{"colour", called.background}}};
-        const int met = ray(timeline.current_ray(position)).object;
-        return Message{"walk.pencil_called", {{"depth", called.depth}, {"object", object_name(scene, met)}}};
-      },
-      [&](const ShadeComputed& computed) -> Told {
-        return Message{"walk.pencil_shaded", {{"object", shaded()}, {"colour", computed.total}}};
-      },
-      [](const auto& /*as of the tracer*/) -> Told { return std::nullopt; }};
-  return std::visit(tell, event.detail);
+  return PencilDescriber(scene, timeline, position).message();
 }
 
 }  // namespace raywalk
