@@ -43,11 +43,8 @@ void outline_breakpoints(const State& state, OutlineItem& region) {
   const auto say = [&](std::string_view id) { return std::string(text(id, language)); };
   if (breakpoints_in_force(state) != state.walk.breakpoints) add(region, Role::warning, "off", say("breakpoints.off"));
   const action::StopAt now = stops_chosen(state);
-  const std::string_view total = now.total_internal_reflection ? on_or_off.yes : on_or_off.no;
-  field(region, Role::number, "depth", say("breakpoints.at_depth"),
-        fmt::format("stop-at {{}} {} {} {}", now.pixel, total, now.object), std::to_string(now.depth));
-  field(region, Role::number, "pixel", say("breakpoints.at_pixel"),
-        fmt::format("stop-at {} {{}} {} {}", now.depth, total, now.object), std::to_string(now.pixel));
+  field(region, Role::number, "depth", say("breakpoints.at_depth"), with_gap(now, 0), std::to_string(now.depth));
+  field(region, Role::number, "pixel", say("breakpoints.at_pixel"), with_gap(now, 1), std::to_string(now.pixel));
   action::StopAt next = now;
   next.total_internal_reflection = !now.total_internal_reflection;
   button(region, "total", say("breakpoints.at_total"), next).chosen = now.total_internal_reflection;
@@ -131,14 +128,9 @@ void outline_image_settings(const State& state, OutlineItem& region) {
          now.integrator.value_or(scene.render.integrator), named, with(&ImageSettings::integrator));
   choose(region, "accelerator", say("property.accelerator"), pickable_accelerators, now.accelerator, named,
          with(&ImageSettings::accelerator));
-  const auto line = [&](std::string_view samples, std::string_view walk_samples) {
-    return fmt::format("image-settings {} {} {} {} {}{}{}", name_of(now.accelerator),
-                       now.single_precision ? float_or_double.yes : float_or_double.no, samples, walk_samples,
-                       name_of(now.heat), now.integrator ? " " : "", now.integrator ? name_of(*now.integrator) : "");
-  };
-  field(region, Role::number, "samples", say("property.samples"), line("{}", std::to_string(now.walk_samples)),
+  field(region, Role::number, "samples", say("property.samples"), with_gap(action::SetImageSettings{now}, 2),
         std::to_string(now.samples));
-  field(region, Role::number, "walk-samples", say("property.walk_samples"), line(std::to_string(now.samples), "{}"),
+  field(region, Role::number, "walk-samples", say("property.walk_samples"), with_gap(action::SetImageSettings{now}, 3),
         std::to_string(now.walk_samples));
   choose(
       region, "precision", say("property.precision"), precisions, now.single_precision,
@@ -147,15 +139,15 @@ void outline_image_settings(const State& state, OutlineItem& region) {
 
   // Of the scene: they change its walk and its file, too.
   const TraceLimits& limits = scene.limits;
-  field(region, Role::number, "depth", say("property.limits_depth"), fmt::format("limits {{}} {}", limits.threshold),
+  field(region, Role::number, "depth", say("property.limits_depth"), with_gap(action::SetLimits{limits}, 0),
         std::to_string(limits.depth));
-  field(region, Role::number, "threshold", say("property.threshold"), fmt::format("limits {} {{}}", limits.depth),
+  field(region, Role::number, "threshold", say("property.threshold"), with_gap(action::SetLimits{limits}, 1),
         number_text(limits.threshold, language));
   const RenderChoices& render = scene.render;
   choose(region, "numerics", say("property.numerics"), values_of<Numerics>, render.numerics, named,
          [&](Numerics numerics) { return action::SetNumerics{numerics, render.epsilon}; });
   field(region, Role::number, "epsilon", say("property.epsilon"),
-        fmt::format("numerics {} {{}}", name_of(render.numerics)), number_text(render.epsilon, language));
+        with_gap(action::SetNumerics{render.numerics, render.epsilon}, 1), number_text(render.epsilon, language));
   const bool as_ambient = render.radiosity.as_ambient;
   if (effects_of(scene).used(Effect::scattering))
     choose(region, "subsurface", say("property.subsurface"), values_of<Subsurface>, render.subsurface, named,

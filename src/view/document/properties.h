@@ -59,7 +59,6 @@ using PropertyEdit = std::variant<action::Rename, action::SetShape, action::SetM
 struct PropertyText {
   std::string key;  ///< its name after those of the tables that it stands in: "radius", "material.diffuse", "corners.2"
   std::string label;  ///< in the language of the state
-  std::string hint{};
   /// Numbers with spaces between them, none for what has no limit; a word of scene files; a name.
   std::string value{};
   std::vector<std::string_view> words{};  ///< what it may be, where these are a few words; "on", "off" of a flag

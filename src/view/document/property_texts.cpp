@@ -119,7 +119,7 @@ class TextRows final : public PropertyRows {
     const std::string path = path_of(key);
     if (list_ != nullptr) {
       const KeyLabel label(KeyLabel(key.table, key.name, key.sentence), key.row);
-      list_->push_back({path, label.words(language_), label.hint(language_), std::move(value), std::move(words)});
+      list_->push_back({path, label.words(language_), std::move(value), std::move(words)});
     }
     if (wanted_ == nullptr || wanted_->key != path) return false;
     wanted_->found = true;
