@@ -165,7 +165,7 @@ class Primitives {
   }
   /// Never inlined: otherwise inlining would depend on the rest of the kernel.
   [[nodiscard, gnu::noinline]] SurfacePoint<T> surface_at(int id, const Ray<T>& ray,
-                                                          Intersection<T> intersection) const {
+                                                          const Intersection<T>& intersection) const {
     if (const auto* sphere = plain<Sphere<T>>(id)) return raywalk::surface_at(*sphere, ray, intersection);
     if (const auto* floor = plain<Plane<T>>(id, Plain::level))
       return raywalk::surface_at_level(*floor, ray, intersection);
@@ -175,7 +175,7 @@ class Primitives {
     return surface_at_any(id, ray, intersection);
   }
   /// Where rounding put it: not projected back onto the surface.
-  [[nodiscard]] SurfacePoint<T> surface_at(int id, const NaiveRay<T>& ray, Intersection<T> intersection) const {
+  [[nodiscard]] SurfacePoint<T> surface_at(int id, const NaiveRay<T>& ray, const Intersection<T>& intersection) const {
     return {ray.at(intersection.t), surface_at(id, ray.plain(), intersection).normal};
   }
   /// Of a point at `time`.
@@ -260,7 +260,7 @@ class Primitives {
     return intersect_at_rest(id, ray, t_max, explain);
   }
   [[nodiscard, gnu::noinline]] SurfacePoint<T> surface_at_any(int id, const Ray<T>& ray,
-                                                              Intersection<T> intersection) const {
+                                                              const Intersection<T>& intersection) const {
     const Motion* motion = motion_of(id);
     if (!motion) return surface_at_rest(id, ray, intersection);
     SurfacePoint<T> point = surface_at_rest(id, at_rest(*motion, ray), intersection);
@@ -291,7 +291,7 @@ class Primitives {
     return transform ? raywalk::intersect(own(id), into_object_space(*transform, ray), t_max, departed, explain)
                      : raywalk::intersect(own(id), ray, t_max, departed, explain);
   }
-  [[nodiscard]] SurfacePoint<T> surface_at_rest(int id, const Ray<T>& ray, Intersection<T> intersection) const {
+  [[nodiscard]] SurfacePoint<T> surface_at_rest(int id, const Ray<T>& ray, const Intersection<T>& intersection) const {
     if (id >= shape_count()) return raywalk::surface_at(triangles_[id - shape_count()], ray, intersection);
     const ObjectTransform<T>* transform = transform_of(id);
     return transform ? raywalk::surface_at(own(id), *transform, ray, intersection)

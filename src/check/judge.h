@@ -83,7 +83,7 @@ template <class T>
 
 /// How many ulps of t one ulp of each input causes, to first order: the sum of all |input * dt/dinput| over |t|.
 template <class S, class T>
-[[nodiscard]] double condition(const S& shape, const Ray<T>& ray, Intersection<T> intersection) {
+[[nodiscard]] double condition(const S& shape, const Ray<T>& ray, const Intersection<T>& intersection) {
   const Vec3d o(ray.origin), d(ray.direction);
   const double t = static_cast<double>(intersection.t);
   const SurfacePoint<T> met = surface_at(shape, ray, intersection);

@@ -111,7 +111,7 @@ template <class T, class Explain = NoExplanation>
 }
 
 template <class T>
-[[nodiscard]] SurfacePoint<T> surface_at(const Box<T>& box, const Ray<T>& ray, Intersection<T> intersection) {
+[[nodiscard]] SurfacePoint<T> surface_at(const Box<T>& box, const Ray<T>& ray, const Intersection<T>& intersection) {
   const int axis = intersection.part / 2;
   const bool high = intersection.part % 2 != 0;
   SurfacePoint<T> point{ray.at(intersection.t), Vec3<T>(0)};

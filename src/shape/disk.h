@@ -63,7 +63,7 @@ template <class T, class Explain = NoExplanation>
 }
 
 template <class T>
-[[nodiscard]] SurfacePoint<T> surface_at(const Disk<T>& disk, const Ray<T>& ray, Intersection<T> intersection) {
+[[nodiscard]] SurfacePoint<T> surface_at(const Disk<T>& disk, const Ray<T>& ray, const Intersection<T>& intersection) {
   const Vec3<T> normal = normalize_any_length(disk.normal);
   const Vec3<T> position = ray.at(intersection.t);
   return {position - dot(position - disk.centre, normal) * normal, normal};

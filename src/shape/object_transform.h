@@ -33,7 +33,7 @@ template <class T>
 
 template <class T>
 [[nodiscard]] SurfacePoint<T> surface_at(const Shape<T>& shape, const ObjectTransform<T>& transform, const Ray<T>& ray,
-                                         Intersection<T> intersection) {
+                                         const Intersection<T>& intersection) {
   const SurfacePoint<T> own = surface_at(shape, into_object_space(transform, ray), intersection);
   return {transform.to_world.point(own.position), normalize(transform.to_world.normal(own.normal))};
 }

@@ -74,13 +74,15 @@ template <class T, class Explain = NoExplanation>
 }
 
 template <class T>
-[[nodiscard]] SurfacePoint<T> surface_at_level(const Plane<T>& plane, const Ray<T>& ray, Intersection<T> intersection) {
+[[nodiscard]] SurfacePoint<T> surface_at_level(const Plane<T>& plane, const Ray<T>& ray,
+                                               const Intersection<T>& intersection) {
   const Vec3<T> computed = ray.at(intersection.t);
   return {{computed.x, computed.y, plane.point.z}, {0, 0, std::copysign(T(1), plane.normal.z)}};
 }
 
 template <class T>
-[[nodiscard]] SurfacePoint<T> surface_at(const Plane<T>& plane, const Ray<T>& ray, Intersection<T> intersection) {
+[[nodiscard]] SurfacePoint<T> surface_at(const Plane<T>& plane, const Ray<T>& ray,
+                                         const Intersection<T>& intersection) {
   if (is_level(plane)) return surface_at_level(plane, ray, intersection);
   const T square = dot(plane.normal, plane.normal);
   const Vec3<T> normal = square == 1 ? plane.normal : plane.normal / std::sqrt(square);  // most have unit length

@@ -140,13 +140,14 @@ template <class T, class Explain = NoExplanation>
 
 template <class T>
 [[nodiscard]] SurfacePoint<T> surface_at(const Polygon<T>& polygon, const Vec3<T>& area_vector, const Ray<T>& ray,
-                                         Intersection<T> intersection) {
+                                         const Intersection<T>& intersection) {
   const Vec3<T> normal = normalize_any_length(area_vector);
   const Vec3<T> position = ray.at(intersection.t);
   return {position - dot(position - polygon.outline.front(), normal) * normal, normal};
 }
 template <class T>
-[[nodiscard]] SurfacePoint<T> surface_at(const Polygon<T>& polygon, const Ray<T>& ray, Intersection<T> intersection) {
+[[nodiscard]] SurfacePoint<T> surface_at(const Polygon<T>& polygon, const Ray<T>& ray,
+                                         const Intersection<T>& intersection) {
   return surface_at(polygon, polygon.area_vector(), ray, intersection);
 }
 

@@ -48,7 +48,7 @@ template <class T, class Explain = NoExplanation>
                                                        int departed_part = no_part, Explain&& explain = {});
 
 template <class T>
-[[nodiscard]] SurfacePoint<T> surface_at(const Prism<T>& prism, const Ray<T>& ray, Intersection<T> intersection);
+[[nodiscard]] SurfacePoint<T> surface_at(const Prism<T>& prism, const Ray<T>& ray, const Intersection<T>& intersection);
 
 /// Sides: u runs along the edge from its first corner, v up. Caps: x and y.
 template <class T>
@@ -335,7 +335,7 @@ std::optional<Intersection<T>> intersect(const Prism<T>& prism, const Ray<T>& ra
 }
 
 template <class T>
-SurfacePoint<T> surface_at(const Prism<T>& prism, const Ray<T>& ray, Intersection<T> intersection) {
+SurfacePoint<T> surface_at(const Prism<T>& prism, const Ray<T>& ray, const Intersection<T>& intersection) {
   const T half = prism.height / 2;
   const Vec3<T> reached = ray.at(intersection.t);
   if (intersection.part >= prism.sides()) {

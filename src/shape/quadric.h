@@ -60,7 +60,7 @@ template <class T, QuadricKind Kind, class Explain = NoExplanation>
 
 template <class T, QuadricKind Kind>
 [[nodiscard]] SurfacePoint<T> surface_at(const Quadric<T, Kind>& quadric, const Ray<T>& ray,
-                                         Intersection<T> intersection);
+                                         const Intersection<T>& intersection);
 
 /// The wall: the angle from +x times rx, and z. Caps: x and y.
 template <class T, QuadricKind Kind>
@@ -253,7 +253,7 @@ std::optional<Intersection<T>> intersect(const Quadric<T, Kind>& quadric, const 
 }
 
 template <class T, QuadricKind Kind>
-SurfacePoint<T> surface_at(const Quadric<T, Kind>& quadric, const Ray<T>& ray, Intersection<T> intersection) {
+SurfacePoint<T> surface_at(const Quadric<T, Kind>& quadric, const Ray<T>& ray, const Intersection<T>& intersection) {
   Vec3<T> position = ray.at(intersection.t);
   if (intersection.part == Quadric<T, Kind>::low_cap) return {{position.x, position.y, quadric.z_min}, {0, 0, -1}};
   if (intersection.part == Quadric<T, Kind>::high_cap) return {{position.x, position.y, quadric.z_max}, {0, 0, 1}};

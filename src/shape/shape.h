@@ -81,7 +81,8 @@ template <class T, class Explain = NoExplanation>
 
 /// The point of `shape` at an intersection that its `intersect` returned for this very ray.
 template <class T>
-[[nodiscard]] SurfacePoint<T> surface_at(const Shape<T>& shape, const Ray<T>& ray, Intersection<T> intersection) {
+[[nodiscard]] SurfacePoint<T> surface_at(const Shape<T>& shape, const Ray<T>& ray,
+                                         const Intersection<T>& intersection) {
   return std::visit([&](const auto& s) { return surface_at(s, ray, intersection); }, shape);
 }
 

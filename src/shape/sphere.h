@@ -43,7 +43,8 @@ template <class T, class Explain = NoExplanation>
 }
 
 template <class T>
-[[nodiscard]] SurfacePoint<T> surface_at(const Sphere<T>& sphere, const Ray<T>& ray, Intersection<T> intersection);
+[[nodiscard]] SurfacePoint<T> surface_at(const Sphere<T>& sphere, const Ray<T>& ray,
+                                         const Intersection<T>& intersection);
 
 /// Longitude from +x and latitude from the plan, each times the radius.
 template <class T>
@@ -177,7 +178,7 @@ std::optional<Intersection<T>> intersect(const Sphere<T>& sphere, const Ray<T>& 
 }
 
 template <class T>
-SurfacePoint<T> surface_at(const Sphere<T>& sphere, const Ray<T>& ray, Intersection<T> intersection) {
+SurfacePoint<T> surface_at(const Sphere<T>& sphere, const Ray<T>& ray, const Intersection<T>& intersection) {
   // The computed point is projected onto the sphere along the normal; a point in the plan stays in the plan. It is
   // formed relative to the centre: far from the scene's origin, the point itself has too few digits for a normal.
   const Vec3<T> offset = (ray.origin - sphere.centre) + intersection.t * ray.direction;

@@ -61,7 +61,8 @@ template <class T>
 }
 
 template <class T>
-[[nodiscard]] SurfacePoint<T> surface_at(const Triangle<T>& triangle, const Ray<T>& ray, Intersection<T> intersection) {
+[[nodiscard]] SurfacePoint<T> surface_at(const Triangle<T>& triangle, const Ray<T>& ray,
+                                         const Intersection<T>& intersection) {
   const Vec3<T> normal = normal_of(triangle);
   const Vec3<T> position = ray.at(intersection.t);
   return {position - dot(position - triangle.a, normal) * normal, normal};
