@@ -47,15 +47,8 @@ Statistics run_kernel(const World<T>& world, const RayGenerator<T>& camera, cons
 }
 
 /// What a kernel for these effects does besides: there is no refraction without reflection (total internal reflection),
-/// nor lobes without it, nor nesting without refraction, nor penumbras without shadows. Where there are to be few
-/// kernels, all have textures, shadows and reflection, lobes come with refraction, what refracts nests, and only what
-/// refracts as Whitted's scene does, without lobes, has a kernel without penumbras.
+/// nor lobes without it, nor nesting without refraction, nor penumbras without shadows.
 [[nodiscard]] constexpr HitEffects widened(HitEffects set) {
-  if (few_kernels) {
-    set.textures = set.shadows = set.reflection = true;
-    set.refraction = set.nesting = set.refraction || set.nesting || set.lobes;
-    set.penumbra = set.penumbra || !set.refraction || set.lobes;
-  }
   set.refraction = set.refraction || set.nesting;
   set.reflection = set.reflection || set.refraction || set.lobes;
   set.shadows = set.shadows || set.penumbra;
@@ -63,57 +56,64 @@ Statistics run_kernel(const World<T>& world, const RayGenerator<T>& camera, cons
 }
 
 /// Each set that a kernel is compiled for: seven ways to scatter, each with or without textures, and with shadows,
-/// shadows and penumbras, or neither: forty-two, or three. One more leaves out shadow rays; one has a sky, which none
+/// shadows and penumbras, or neither: forty-two. One more leaves out shadow rays; one has a sky, which none
 /// of those has, nor scattering, which is for paths; one has metals and small mirrors too. Nesting is a set of its own:
 /// where nothing nests, a mere test at each hit would cost more than 0.1%. So would one for differentials, or for maps:
-/// what filters or is mapped has kernels apart, beside which those here stay as the compiler makes them without.
+/// what filters or is mapped has kernels apart, beside which those here stay as the compiler makes them without. Where
+/// there are to be few, what has sharp rays and sharp shadows alone, as Whitted's scene, takes one, and all else the
+/// other.
 inline constexpr auto kernel_sets = [] {
-  constexpr bool no = false, yes = true;
-  struct Scattering {
-    bool reflection, refraction, lobes, nesting;
-  };
-  constexpr std::array<Scattering, 7> scatterings{{{no, no, no, no},
-                                                   {yes, no, no, no},
-                                                   {yes, yes, no, no},
-                                                   {yes, no, yes, no},
-                                                   {yes, yes, yes, no},
-                                                   {yes, yes, no, yes},
-                                                   {yes, yes, yes, yes}}};
-  constexpr std::array<std::pair<bool, bool>, 3> lights{{{no, no}, {yes, no}, {yes, yes}}};  // shadows, penumbras
-  std::array<HitEffects, few_kernels ? 5 : scatterings.size() * 2 * lights.size() + 3> sets{};
-  std::size_t at = 0;
-  for (const Scattering& to : scatterings)
-    for (const auto& [shadows, penumbra] : lights)
-      for (const bool textures : {no, yes}) {
-        const HitEffects set{to.reflection,
-                             to.refraction,
-                             textures,
-                             penumbra,
-                             to.lobes,
-                             shadows,
-                             to.nesting,
-                             yes,
-                             no,
-                             no,
-                             no,
-                             no,
-                             no,
-                             no,
-                             no};
-        if (set == widened(set)) sets[at++] = set;
-      }
-  if (!few_kernels) sets[at++] = no_occlusion;  // for looking, and need not be fast
-  if (!few_kernels) sets[at++] = no_filtering_nor_facets;
-  sets[at] = no_filtering;
-  return sets;
+  if constexpr (few_kernels) {
+    return std::array{sharp_rays, no_filtering};
+  } else {
+    constexpr bool no = false, yes = true;
+    struct Scattering {
+      bool reflection, refraction, lobes, nesting;
+    };
+    constexpr std::array<Scattering, 7> scatterings{{{no, no, no, no},
+                                                     {yes, no, no, no},
+                                                     {yes, yes, no, no},
+                                                     {yes, no, yes, no},
+                                                     {yes, yes, yes, no},
+                                                     {yes, yes, no, yes},
+                                                     {yes, yes, yes, yes}}};
+    constexpr std::array<std::pair<bool, bool>, 3> lights{{{no, no}, {yes, no}, {yes, yes}}};  // shadows, penumbras
+    std::array<HitEffects, scatterings.size() * 2 * lights.size() + 3> sets{};
+    std::size_t at = 0;
+    for (const Scattering& to : scatterings)
+      for (const auto& [shadows, penumbra] : lights)
+        for (const bool textures : {no, yes}) {
+          const HitEffects set{to.reflection,
+                               to.refraction,
+                               textures,
+                               penumbra,
+                               to.lobes,
+                               shadows,
+                               to.nesting,
+                               yes,
+                               no,
+                               no,
+                               no,
+                               no,
+                               no,
+                               no,
+                               no};
+          if (set == widened(set)) sets[at++] = set;
+        }
+    sets[at++] = no_occlusion;  // for looking, and need not be fast
+    sets[at++] = no_filtering_nor_facets;
+    sets[at] = no_filtering;
+    return sets;
+  }
 }();
 
 /// The smallest of these that holds a world's effects; but for filtering and maps, which have kernels of their own.
 [[nodiscard]] constexpr std::size_t kernel_set_for(HitEffects set) {
-  if (few_kernels) set.occlusion = true;  // they ask the world
-  if (!set.occlusion) {
+  if (few_kernels) {  // they ask the world for occlusion
+    set = set.penumbra || set.lobes || set.scattering || set.sky || set.microfacets ? no_filtering : sharp_rays;
+  } else if (!set.occlusion) {
     set = no_occlusion;
-  } else if (set.microfacets || (few_kernels && (set.sky || set.scattering))) {
+  } else if (set.microfacets) {
     set = no_filtering;
   } else if (set.sky || set.scattering) {
     set = no_filtering_nor_facets;

@@ -55,7 +55,13 @@ inline constexpr HitEffects no_filtering_nor_facets = [] {
   set.microfacets = false;
   return set;
 }();
-/// With sharp rays and sharp shadows alone: what most scenes have that filter; and without mirrors and glass.
+/// With sharp rays and sharp shadows alone.
+inline constexpr HitEffects sharp_rays = [] {
+  HitEffects set = no_filtering_nor_facets;
+  set.penumbra = set.lobes = set.scattering = set.sky = false;
+  return set;
+}();
+/// With filters, what most scenes have that filter, where no bodies nest; and without mirrors and glass.
 inline constexpr HitEffects plain_filtering{.penumbra = false,
                                             .lobes = false,
                                             .nesting = false,

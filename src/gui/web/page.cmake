@@ -18,9 +18,8 @@ set(smallest
   trace/microfacets.cpp trace/outlines.cpp trace/patch_cutter.cpp trace/patch_elements.cpp trace/patch_light.cpp
   trace/patches.cpp trace/pencil_kernel.cpp trace/photon_kernel.cpp trace/photon_lights.cpp trace/photon_limits.cpp
   trace/photon_map.cpp trace/plan_marks.cpp trace/radiosity_kernel.cpp trace/radiosity_pass.cpp trace/ray_cone.cpp
-  trace/ray_generator.cpp trace/recursion.cpp
-  trace/rough_dielectric.cpp trace/scene_kernel.cpp trace/sky_light.cpp trace/space_beam_kernel.cpp
-  trace/surface_maps.cpp trace/texture_pyramid.cpp trace/unfolded_plan.cpp trace/world.cpp)
+  trace/ray_generator.cpp trace/recursion.cpp trace/rough_dielectric.cpp trace/scene_kernel.cpp trace/sky_light.cpp
+  trace/space_beam_kernel.cpp trace/surface_maps.cpp trace/texture_pyramid.cpp trace/unfolded_plan.cpp trace/world.cpp)
 list(TRANSFORM smallest PREPEND "${CMAKE_SOURCE_DIR}/src/")
 set_source_files_properties(${smallest} PROPERTIES COMPILE_OPTIONS -Oz SKIP_PRECOMPILE_HEADERS ON)
 target_compile_definitions(raywalk_trace PUBLIC RAYWALK_FEW_KERNELS)
@@ -91,6 +90,7 @@ add_custom_command(
   COMMAND "${CMAKE_COMMAND}" -E copy ${scenes} "${data}/scenes"
   COMMAND "${CMAKE_COMMAND}" -E copy_directory "${CMAKE_SOURCE_DIR}/lessons" "${data}/lessons"
   COMMAND "${CMAKE_COMMAND}" -E rm -r "${data}/lessons/README.md" "${data}/lessons/words" # for `lesson check` alone
+  COMMAND find "${data}/lessons" -name "*.toml" -exec sed -i "/^ *#/d" {} + # what they say to their writers
   COMMAND "${CMAKE_COMMAND}" -E copy ${texts} "${data}/text"
   COMMAND "${CMAKE_COMMAND}" -E copy "${licences}" "${data}"
   COMMAND "${CMAKE_COMMAND}" -E touch "${data}.done"
@@ -101,6 +101,8 @@ add_custom_target(raywalk_data DEPENDS "${data}.done")
 # Of a function of which several files hold a copy the linker takes the first: these come before what is small. In an order
 # of chance, the tracer ran the small copies, and took a third as long again.
 set(fastest trace/kernel_double.cpp accel/accelerator.cpp)
+list(TRANSFORM fastest PREPEND src/)
+set_source_files_properties(${fastest} PROPERTIES COMPILE_OPTIONS -O3 SKIP_PRECOMPILE_HEADERS ON)
 list(JOIN fastest "|" fastest)
 add_executable(raywalk "${page}/main.cpp" "${page}/mirror.cpp" "${page}/worker.cpp" "${page}/libm.cpp"
   "$<FILTER:$<TARGET_OBJECTS:raywalk_trace>,INCLUDE,${fastest}>" "$<FILTER:$<TARGET_OBJECTS:raywalk_accel>,INCLUDE,${fastest}>")
