@@ -26,7 +26,7 @@ export function pruned(script, acorn, asked) {
     const visit = (node) => {
       if (Array.isArray(node)) return node.forEach(visit);
       if (!node || typeof node !== 'object') return;
-      const { start, end, type, id, init, declarations, expression } = node;
+      const { start, end, type, id, init, declarations, expression, test, consequent, alternate } = node;
       if (type === 'VariableDeclarator' && objects.has(id.name) && init?.type === 'ObjectExpression')
         cut_of(init.properties, ({ kind, computed, key }) => kind === 'init' && !computed && is_unused(key.name ?? key.value));
       if (type === 'VariableDeclaration') {
@@ -39,6 +39,10 @@ export function pruned(script, acorn, asked) {
         const { left } = expression; // what it offers to others, and what it adds to its file system
         if ((is_of(left, 'Module') && /^FS_/.test(left.property.value)) || (is_of(left, 'FS') && is_unused(left.property.name)))
           cuts.push([start, end]);
+      }
+      if (type === 'IfStatement' && test.name === 'ENVIRONMENT_IS_NODE') { // where tests run what the compiler made
+        if (alternate) cuts.push([start, alternate.start]);
+        else if (consequent.body?.length) cuts.push([consequent.start + 1, consequent.end - 1]);
       }
       Object.values(node).forEach(visit);
     };
