@@ -3,7 +3,6 @@
 // so they stand beside the machine's load.
 import { spawnSync } from 'node:child_process';
 import { readFileSync, readdirSync, rmSync } from 'node:fs';
-import { createRequire } from 'node:module';
 import { cpus, loadavg, tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { brotliCompressSync, gzipSync } from 'node:zlib';
@@ -95,20 +94,19 @@ const [drawn, recorded, memory] = await page.evaluate(() => {
 print('classic: STEP drawn by software: median', `${median(drawn).toFixed(1)} ms`, '50');
 print('classic: the strip recorded anew: median', `${median(recorded).toFixed(1)} ms`, '30');
 print('memory of page and workers', `${(memory / 2 ** 20).toFixed(0)} MiB`, '256');
-await page.close();
-await browser.close();
-server.end();
 
 // Processor time, which other programs on this machine do not change.
-const program = await createRequire(import.meta.url)(join(build, 'web/raywalk.js'))({ noInitialRun: true });
+const metrics = await page.createCDPSession();
+await metrics.send('Performance.enable');
+const processor_time = async () => (await metrics.send('Performance.getMetrics')).metrics.find(({ name }) => name === 'ThreadTime').value;
 for (const scene of ['whitted', 'classic']) {
   const file = join(tmpdir(), `raywalk-${process.pid}.pfm`), own = [], native = [];
   for (let i = 0; i < 5; ++i) {
-    const before = process.cpuUsage();
-    program.ccall('page_render', 'string', ['string', 'string', 'number', 'number', 'string', 'string'],
-      [`/raywalk/scenes/${scene}.toml`, '/own.pfm', 1323, 993, 'double', '']);
-    const { user, system } = process.cpuUsage(before);
-    own.push((user + system) / 1e6);
+    const before = await processor_time();
+    await page.evaluate((file) => window.raywalk.ccall('page_render', 'string',
+      ['string', 'string', 'number', 'number', 'string', 'string'], [file, '/own.pfm', 1323, 993, 'double', '']),
+    `/raywalk/scenes/${scene}.toml`);
+    own.push(await processor_time() - before);
     const { stderr } = spawnSync('bash', ['-c', 'TIMEFORMAT="%U %S"; time "$0" "$@"', join(build, 'release/raywalk'), 'render',
       `${process.env.RAYWALK_SOURCE_DIR}/scenes/${scene}.toml`, '-o', file, '--size', '1323x993', '--threads', '1', '--quiet'],
     { encoding: 'utf8' });
@@ -118,3 +116,6 @@ for (const scene of ['whitted', 'classic']) {
   print(`${scene}, 1323 x 993: page, native, ratio`,
     `${median(own).toFixed(2)} ${median(native).toFixed(2)} ${(median(own) / median(native)).toFixed(2)}`, scene === 'whitted' ? '1.60' : '');
 }
+await page.close();
+await browser.close();
+server.end();

@@ -75,7 +75,7 @@ test('a walk is exported as numbers, words, drawing, picture, film and page, eac
   assert.equal(gif.subarray(0, 6).toString(), 'GIF89a');
   assert.deepEqual([gif.readUInt16LE(6), gif.readUInt16LE(8)], [width, height]);
   assert.ok(gif.toString('latin1').split('\x21\xf9\x04').length > 3, 'it has a frame for each step');
-  assert.equal((await visit.until(() => true)).position, 40, 'the walk is where it was');
+  await visit.until((now) => now.position === 40, 'the walk is where it was');
 
   await export_by_mouse(visit, '.html');
   await downloaded('classic.html', (bytes) => bytes.includes('</html>'));
