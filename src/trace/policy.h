@@ -62,15 +62,12 @@ inline constexpr HitEffects sharp_rays = [] {
   return set;
 }();
 /// With filters, what most scenes have that filter, where no bodies nest; and without mirrors and glass.
-inline constexpr HitEffects plain_filtering{.penumbra = false,
-                                            .lobes = false,
-                                            .nesting = false,
-                                            .scattering = false,
-                                            .sky = false,
-                                            .microfacets = false,
-                                            .maps = false,
-                                            .dipole = false,
-                                            .bounced = false};
+inline constexpr HitEffects plain_filtering = [] {
+  HitEffects set = sharp_rays;
+  set.filtering = true;
+  set.nesting = false;
+  return set;
+}();
 inline constexpr HitEffects matt_filtering = [] {
   HitEffects set = plain_filtering;
   set.reflection = set.refraction = false;
