@@ -142,14 +142,19 @@ async function recall() {
     await open_database();
     const store = database.transaction('files', 'readwrite').objectStore('files');
     const [keys, contents] = await Promise.all([done(store.getAllKeys()), done(store.getAll())]);
+    const found = new Map(keys.map((key, i) => [key, contents[i]]));
+    const left = Object.keys(localStorage).filter((key) => key.startsWith(left_by)).map((key) => key.slice(left_by.length))
+      .filter((owner) => !lives(owner));
+    for (const owner of left) read_left(owner, (key, bytes) => found.set(key, bytes));
+    store.transaction.oncomplete = () => left.forEach((owner) => localStorage.removeItem(left_by + owner));
     const adopted = [];
-    keys.forEach((key, i) => {
+    for (const [key, bytes] of found) {
       const [kind, owner] = key.split('/');
-      if (kind === 'shared') return files.set(owner, contents[i]);
-      if (lives(owner)) return;
-      adopted.push(contents[i]);
+      if (kind === 'shared') files.set(owner, bytes);
+      if (kind === 'shared' || lives(owner)) continue;
+      if (bytes) adopted.push(bytes);
       store.delete(key);
-    });
+    }
     // The latest is the first by name, and written last: it is the one that the program offers.
     const written = (bytes) => /# written on: .*|$/.exec(new TextDecoder().decode(bytes.subarray(0, 9999)))[0];
     adopted.sort((a, b) => written(a).localeCompare(written(b))).forEach((bytes, i) => {
@@ -171,6 +176,26 @@ function stamp_of(path) {
 }
 
 const names_in = (folder) => program.FS.readdir(folder).filter((name) => !name.startsWith('.'));
+
+// What a page writes to the database as it is left may be lost (WebKit), or come too late for the next one. So what of the
+// tab's own is under way then is left beside it, where writing is done at once, as texts by name; null: gone.
+const unsure = new Map();  // names, to the transactions that write them
+const left_by = 'raywalk left by ';
+function leave_unsure() {
+  const texts = [...unsure.keys()].map((name) =>
+    [name, names_in('/kept').includes(name) ? program.FS.readFile('/kept/' + name, { encoding: 'utf8' }) : null]);
+  try {
+    if (texts.length > 0) localStorage.setItem(left_by + tab, JSON.stringify(Object.fromEntries(texts)));
+  } catch (why) {
+    console.warn('too large to be left:', why);
+  }
+}
+
+// Calls with key and bytes of all that a tab has left.
+function read_left(owner, found) {
+  for (const [name, text] of Object.entries(JSON.parse(localStorage.getItem(left_by + owner))))
+    found(`own/${owner}/${name}`, text === null ? null : new TextEncoder().encode(text));
+}
 
 // Writes what has changed in /kept.
 function keep() {
@@ -201,6 +226,12 @@ function keep() {
     store.delete(key_of(name));
     kept.delete(name);
   }
+  writing.commit(); // WebKit never ends those of a page that was left meanwhile, and the next one would wait for it
+  for (const name of [...changed, ...gone].filter(is_own)) unsure.set(name, writing);
+  writing.oncomplete = () => {
+    for (const [name, by] of unsure) if (by === writing) unsure.delete(name);
+    if (unsure.size === 0) localStorage.removeItem(left_by + tab);
+  };
 }
 
 function put_kept(name, bytes) {
@@ -385,6 +416,7 @@ function leave() {
   if (!running) return;
   program._page_autosave();
   keep();
+  leave_unsure();
 }
 window.addEventListener('pagehide', leave);
 window.addEventListener('beforeunload', (event) => running && (writes > 0 || (!database && told().unsaved)) &&
