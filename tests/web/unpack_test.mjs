@@ -1,6 +1,7 @@
 // The program's code on its way: what is packed is what was made, and what arrives damaged or finds no memory is said in
 // a sentence.
 import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -33,6 +34,14 @@ function unpacked(bytes, at_once = 1 << 16) {
   }
   return size >= 0 && tool.unpack_whole() ? Buffer.from(tool.memory.buffer, tool.unpack_code(), size) : null;
 }
+// How many of the last bytes are texts: that stands in the second word of what LZMA unpacks, which is before the code.
+const texts_size = (() => {
+  const tool = new WebAssembly.Instance(module).exports;
+  tool._initialize();
+  new Uint8Array(tool.memory.buffer).set(packed.subarray(0, tool.unpack_most()), tool.unpack_room());
+  tool.unpack(tool.unpack_most());
+  return new DataView(tool.memory.buffer).getUint32(tool.unpack_code() - Number(packed.readBigUInt64LE(5)) + 4, true);
+})();
 const code = readFileSync(join(build, 'web/raywalk.wasm'));
 
 test('what is unpacked is what was packed, however it arrives', () => {
@@ -40,17 +49,37 @@ test('what is unpacked is what was packed, however it arrives', () => {
 });
 
 test('no wrong bit, no missing end and nothing behind it goes unnoticed', () => {
-  const size = packed.length;
+  const size = packed.length, texts = size - texts_size;
+  assert.ok(texts_size > 100000 && texts > size / 2, `${texts_size} bytes of texts`);
   // Bytes 1 to 4 say how far back the packer looked.
-  const places = [0, 5, 6, 7, 8, 12, 13, 14, 18, size - 1, size - 2, size - 5, ...Array(40).fill().map((_, i) => 19 + Math.floor((size - 30) * i / 40))];
+  const places = [0, 5, 6, 7, 8, 12, 13, 14, 18, size - 1, size - 2, size - 5, ...Array(40).fill().map((_, i) => 19 + Math.floor((size - 30) * i / 40)),
+    ...Array(7).fill().map((_, i) => texts - 2 + i), ...Array(30).fill().map((_, i) => texts + Math.floor(texts_size * i / 30))];
   for (const [i, place] of places.entries()) {
     const wrong = Buffer.from(packed);
     wrong[place] ^= 1 << i % 8;
     const got = unpacked(wrong);
     assert.ok(got === null, `bit ${i % 8} of byte ${place}`);
   }
-  for (const end of [0, 5, 13, 1000, size - 1]) assert.equal(unpacked(packed.subarray(0, end)), null, `${end} bytes`);
+  for (const end of [0, 5, 13, 1000, texts - 1, texts, texts + 1, texts + 5, size - 50000, size - 1]) assert.equal(unpacked(packed.subarray(0, end)), null, `${end} bytes`);
   assert.equal(unpacked(Buffer.concat([packed, Buffer.from([0])])), null);
+  const without = (from, to) => Buffer.concat([packed.subarray(0, from), packed.subarray(to)]);
+  for (const from of [texts, texts + 1000, size - 2]) assert.equal(unpacked(without(from, from + 1)), null, `without byte ${from}`);
+});
+
+test('sizes that cannot be are refused', () => {
+  const most = 0xffffffff;
+  const made = (words, texts = Buffer.alloc(0)) => {
+    const sorted = Buffer.concat([Buffer.from(Uint32Array.from(words).buffer), Buffer.from('code')]);
+    const { stdout } = spawnSync('xz', ['-c', '--format=lzma', '--lzma1=lc=2,pb=0'], { input: sorted });
+    stdout.writeBigUInt64LE(BigInt(sorted.length), 5);
+    return unpacked(Buffer.concat([stdout, texts]));
+  };
+  // The size of all, that of its packed texts, and a part: bytes as they are, and those of texts.
+  assert.equal(made([4, 0, 0, 4, 0]).toString(), 'code');
+  for (const words of [[3, 0, 0, 4, 0], [5, 0, 0, 4, 0], [most, 0, 0, 4, 0], [4, most, 0, 4, 0], [4, 1, 0, 4, 0], [4, 0, 0, most, 0],
+    [4, 0, 0, 4, 1], [4, 0, 0, 4, most], [5, 0, 0, 4, 1], [4, 0, 0, 3, 1], [4, 0, 1, 4, 0]])
+    assert.equal(made(words), null, words.join(' '));
+  assert.equal(made([4, 5, 0, 4, 0], Buffer.alloc(5)), null, 'texts that no part asks for');
 });
 
 // The one file, changed: what it says.

@@ -3,8 +3,9 @@
 // indices of locals, all offsets and so on stand beside each other, where each is foretold by its like.
 //
 // First comes the size of the whole, and then parts, each of which is put together as soon as it is there. A part
-// begins with a word of four bytes. 0: so many bytes, as the next word says, that stand there as they are. Else it is
-// the number of functions that follow, and then come the sizes of all streams, and the streams.
+// begins with a word of four bytes. 0: so many bytes, as the next word says, that stand there as they are, and behind
+// them as many as the third says of the texts, which are packed elsewhere. Else it is the number of functions that
+// follow, and then come the sizes of all streams, and the streams.
 
 #include <algorithm>
 #include <cstddef>
@@ -40,6 +41,8 @@ enum Name : std::size_t {
   names = align + 0x3f - 0x28
 };
 
+inline constexpr int not_there_yet = -1, wrong_text = -2;  // in place of a byte of the texts
+
 struct Bytes {
   unsigned char *at = nullptr, *end = nullptr;
   [[nodiscard]] std::size_t left() const { return static_cast<std::size_t>(end - at); }
@@ -53,7 +56,8 @@ class Joiner {
   void takes(std::size_t size) { made_ = {code_, code_ + size}; }
   [[nodiscard]] std::size_t done() const { return static_cast<std::size_t>(made_.at - code_); }
   [[nodiscard]] bool whole() const { return made_.at != nullptr && made_.at == made_.end; }
-  std::size_t read = 0;  ///< of what is unpacked
+  std::size_t read = 0;              ///< of what is unpacked
+  int (*next_of_texts)() = nullptr;  ///< a byte, or one of those two
 
  private:
   bool function();
@@ -89,7 +93,8 @@ class Joiner {
   Bytes streams_[names];
   Bytes made_;
   unsigned char* code_ = nullptr;
-  int depth_ = 0;  // of blocks
+  std::size_t text_left_ = 0;  // bytes that come next
+  int depth_ = 0;              // of blocks
   bool failed_ = false;
 };
 
@@ -220,20 +225,27 @@ inline bool Joiner::join(unsigned char* from, std::size_t count) {
     return std::size_t{at[0]} | std::size_t{at[1]} << 8 | std::size_t{at[2]} << 16 | std::size_t{at[3]} << 24;
   };
   for (;;) {
+    for (; text_left_ > 0; --text_left_) {
+      const int byte = next_of_texts();
+      if (byte < 0) return byte == not_there_yet;
+      *made_.at++ = static_cast<unsigned char>(byte);
+    }
     const std::size_t left = count - read;
-    if (left < 8) return true;
-    const std::size_t functions = word(0), words = functions == 0 ? 2 : 1 + names;
+    if (left < 12) return true;
+    const std::size_t functions = word(0), words = functions == 0 ? 3 : 1 + names;
     if (left < 4 * words) return true;
     std::size_t size = 4 * words;
     for (std::size_t i = 1; i < words; ++i) {
       if (word(i) > most) return false;
       size += word(i);
     }
+    if (functions == 0) size -= word(2);
     if (left < size) return true;
     unsigned char* at = from + read + 4 * words;
     if (functions == 0) {
-      if (word(1) > made_.left()) return false;
+      if (word(1) + word(2) > made_.left()) return false;
       made_.at = std::copy_n(at, word(1), made_.at);
+      text_left_ = word(2);
     } else {
       for (std::size_t i = 0; i < names; ++i) {
         streams_[i] = {at, at + word(i + 1)};

@@ -130,22 +130,25 @@ add_custom_command(TARGET raywalk POST_BUILD COMMAND "${RAYWALK_NODE}" "${page}/
   "${CMAKE_SOURCE_DIR}/build/emscripten/binaryen/bin/wasm-opt" ${without} VERBATIM)
 set_property(TARGET raywalk APPEND PROPERTY LINK_DEPENDS "${page}/order.mjs")
 
-# A module of its own (unpack.cpp), without imports: it takes the memory that it needs itself.
-find_path(RAYWALK_lzmadec_INCLUDE NAMES LzmaDec.h REQUIRED)
-find_library(RAYWALK_lzmadec_LIBRARY NAMES lzmadec REQUIRED)
-mark_as_advanced(RAYWALK_lzmadec_INCLUDE RAYWALK_lzmadec_LIBRARY)
-add_executable(unpack "${page}/unpack.cpp")
-set_target_properties(unpack PROPERTIES SUFFIX .wasm)
-target_include_directories(unpack SYSTEM PRIVATE "${RAYWALK_lzmadec_INCLUDE}")
-target_link_libraries(unpack PRIVATE raywalk_flags "${RAYWALK_lzmadec_LIBRARY}")
-target_compile_options(unpack PRIVATE -Oz)
-target_link_options(unpack PRIVATE -Oz -sSTANDALONE_WASM --no-entry -sSTACK_SIZE=16KB -sINITIAL_MEMORY=192KB
-  -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=128MB)
+# Modules of their own, without imports: unpack.cpp takes the memory that it needs itself. What packs runs here alone.
+find_path(RAYWALK_7zip_INCLUDE NAMES LzmaDec.h REQUIRED)
+find_library(RAYWALK_7zip_LIBRARY NAMES 7zip REQUIRED)
+mark_as_advanced(RAYWALK_7zip_INCLUDE RAYWALK_7zip_LIBRARY)
+foreach(tool IN ITEMS unpack text_packer)
+  add_executable(${tool} "${page}/${tool}.cpp")
+  set_target_properties(${tool} PROPERTIES SUFFIX .wasm)
+  target_include_directories(${tool} SYSTEM PRIVATE "${RAYWALK_7zip_INCLUDE}")
+  target_link_libraries(${tool} PRIVATE raywalk_flags "${RAYWALK_7zip_LIBRARY}")
+  target_compile_options(${tool} PRIVATE -Oz)
+  target_link_options(${tool} PRIVATE -Oz -sSTANDALONE_WASM --no-entry -sSTACK_SIZE=16KB)
+endforeach()
+target_link_options(unpack PRIVATE -sINITIAL_MEMORY=192KB -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=128MB)
+target_link_options(text_packer PRIVATE -sINITIAL_MEMORY=48MB)
 
 file(GLOB page_parts CONFIGURE_DEPENDS "${page}/*.html" "${page}/*.css" "${page}/*.js" "${page}/*.svg" "${page}/*.webmanifest")
 add_custom_command(
   OUTPUT "${CMAKE_BINARY_DIR}/site/raywalk.html"
   COMMAND "${RAYWALK_NODE}" "${page}/pack.mjs" "${CMAKE_BINARY_DIR}" "${CMAKE_BINARY_DIR}/site" ${without}
-  DEPENDS raywalk unpack "${page}/pack.mjs" "${page}/prune.mjs" "${page}/streams.mjs" ${page_parts} ${texts}
+  DEPENDS raywalk unpack text_packer "${page}/pack.mjs" "${page}/prune.mjs" "${page}/streams.mjs" ${page_parts} ${texts}
   VERBATIM)
 add_custom_target(site ALL DEPENDS "${CMAKE_BINARY_DIR}/site/raywalk.html")

@@ -1,5 +1,6 @@
 // Sorts what instructions are made of for what packs them: all opcodes, all indices of locals, all offsets and so on stand
-// beside each other, where each is foretold by its like. joiner.h, which puts them together again, says how.
+// beside each other, where each is foretold by its like. joiner.h, which puts them together again, says how. Its texts are
+// taken out, for another packer.
 const code_section = 10;
 const block_size = 9 << 18; // of code, half of it: a browser compiles one while the next arrives
 
@@ -8,6 +9,7 @@ const declarations = 0, opcodes = 1, local = 2, local_set = 3, small = 4, added 
   vectors = 10, called = 11, called_by_pointer = 12, branches = 13, branch_tables = 14, others = 15, loaded = 16, stored = 17,
   lanes_offset = 18, lanes_align = 19, align = 20, streams = align + 0x3f - 0x28;
 const large_constant = 0x27; // not an opcode
+const texts_like = /(?:[\0\t\n -~]|[\xc2-\xef][\x80-\xbf]+){1024,}/g; // UTF-8; a text in C++ ends with 0
 
 export function streamed(wasm) {
   let at = 8;
@@ -20,8 +22,11 @@ export function streamed(wasm) {
     }
   };
   const words = (...values) => Buffer.from(Uint32Array.from(values).buffer);
-  const parts = [words(wasm.length)];
-  const plain = (from, to) => parts.push(words(0, to - from), wasm.subarray(from, to));
+  const parts = [], texts = [];
+  const plain = (from, to, end = to) => {
+    parts.push(words(0, to - from, end - to), wasm.subarray(from, to));
+    texts.push(wasm.subarray(to, end));
+  };
 
   let sorted, functions, from;
   const begin = () => {
@@ -132,6 +137,11 @@ export function streamed(wasm) {
     ++functions;
   }
   end();
+  const data = at;
+  for (const { 0: text, index } of wasm.toString('latin1', data).matchAll(texts_like)) {
+    plain(at, data + index, data + index + text.length);
+    at = data + index + text.length;
+  }
   plain(at, wasm.length);
-  return Buffer.concat(parts);
+  return { parts: Buffer.concat(parts), texts: Buffer.concat(texts) };
 }

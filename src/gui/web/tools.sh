@@ -157,10 +157,10 @@ build_libraries() {
   by_hand qrencode qrencode -DSTATIC_IN_RELEASE=static -DMAJOR_VERSION=4 -DMINOR_VERSION=1 -DMICRO_VERSION=1 '-DVERSION="4.1.1"' -- \
     bitstream.c mask.c mmask.c mqrspec.c qrencode.c qrinput.c qrspec.c rsecc.c split.c
   cp "$from"/qrencode/qrencode.h "$prefix/include"
-  # Of 7-Zip the decoder of LZMA alone, which its author has put into the public domain. It asks for nothing but memory, and
-  # is less than half as large as liblzma's, of xz.
-  by_hand 7zip lzmadec -- C/LzmaDec.c
-  cp "$from"/7zip/C/{LzmaDec,7zTypes}.h "$prefix/include"
+  # Of 7-Zip the decoders of LZMA and PPMd, and PPMd's encoder, which their authors have put into the public domain. They
+  # ask for nothing but memory, and LZMA's is less than half as large as liblzma's, of xz.
+  by_hand 7zip 7zip -- C/LzmaDec.c C/Ppmd7.c C/Ppmd7Dec.c C/Ppmd7Enc.c
+  cp "$from"/7zip/C/{7zTypes,CpuArch,LzmaDec,Ppmd,Ppmd7}.h "$prefix/include"
   # With the parts that Debian's own has, but the font that it holds for who loads none. GLFW is Emscripten's, which needs
   # no library.
   sed -i '/^static const char proggy_clean_ttf_compressed_data_base85/,/;$/c static const char proggy_clean_ttf_compressed_data_base85[] = "";' \
@@ -198,7 +198,7 @@ build_libraries() {
   cp "$from/freetype/docs/FTL.TXT" "$licences/FreeType"
   cp "$from"/fmtlib/LICENSE* "$licences/fmt"
   cp "$from/qrencode/COPYING" "$licences/libqrencode"
-  head -2 "$from/7zip/C/LzmaDec.c" >"$licences/LZMA SDK"
+  (cd "$from/7zip/C" && head -2 LzmaDec.c && head -3 Ppmd7.c) >"$licences/LZMA SDK"
   cp "$from/imgui/LICENSE.txt" "$licences/Dear ImGui"
   cp /usr/share/doc/libglm-dev/copyright "$licences/GLM"
   cp /usr/share/doc/libexpected-dev/copyright "$licences/expected"
