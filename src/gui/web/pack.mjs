@@ -89,7 +89,7 @@ xz.stdout.writeBigUInt64LE(BigInt(sorted.length), 5);
 const packed = Buffer.concat([xz.stdout, packed_texts]);
 unpacks(readFileSync(join(build, 'unpack.wasm')));
 const letters = packed.toString('base64');
-const unpacker = readFileSync(join(build, 'unpack.wasm'), 'base64');
+const unpacker = readFileSync(join(build, 'unpack.wasm'), 'hex'); // which brotli and gzip pack better than base64
 const source = (name) => readFileSync(join(here, name), 'utf8').replace(/^'use strict';$/m, '').replace("'WITHOUT'", () => `'${without}'`);
 const whole_page = () => shortened(["'use strict';", ...joined.map(source)].join('\n'), true);
 // What the page, its workers and tests ask for of Emscripten's script.

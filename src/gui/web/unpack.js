@@ -11,7 +11,8 @@ function bytes_of(letters) {
 // The code, of a stream of packed bytes. Whoever reads it hears of an error of the network if it cannot be unpacked: `refused`
 // hears why.
 async function unpacked(packed, refused = () => {}) {
-  const { instance: { exports: tool } } = await WebAssembly.instantiate(bytes_of('UNPACKER'));
+  const { instance: { exports: tool } } = await WebAssembly.instantiate(
+    Uint8Array.from('UNPACKER'.match(/../g), (digits) => parseInt(digits, 16)));
   tool._initialize();
   const most = tool.unpack_most();
   let done = 0;
