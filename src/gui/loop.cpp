@@ -205,7 +205,12 @@ class Loop::Parts {
   }
 
   [[nodiscard]] const State& state() const { return state_; }
-  [[nodiscard]] CostFindings costs() const { return findings_of(costs_.bench()); }
+  [[nodiscard]] CostFindings costs() const {
+    CostFindings findings = findings_of(costs_.bench());
+    findings.survey = costs_.survey();
+    findings.surveyed = costs_.surveyed();
+    return findings;
+  }
 
   [[nodiscard]] bool holds_at(float x, float y) const {
     return std::any_of(commands().begin(), commands().end(), [&](const Command* each) {

@@ -257,11 +257,18 @@ class Outliner {
     outline_properties(state_, open("properties", properties_title(state_)));
   }
 
-  /// The attempts of Cost, what each has cost, and how far off its picture is.
+  /// The attempts of Cost, what each has cost, and how far off its picture is; or what each effect adds.
   void costs(const CostFindings& findings) {
     const CostRoom& cost = state_.cost;
-    if (state_.appearance.tab != CostRoom::tab || cost.page != CostPage::tries) return;
+    if (state_.appearance.tab != CostRoom::tab) return;
     OutlineItem& region = open("cost", say("command.tab_cost.label"));
+    if (cost.page == CostPage::effects) {
+      if (findings.survey)
+        for (const std::string& each : effect_texts(*findings.survey, language()))
+          add(region, Role::text, fmt::format("effect-{}", region.items.size()), each);
+      add(region, Role::text, "whole", survey_text(findings.survey, findings.surveyed, language()));
+      return;
+    }
     if (cost.tried.empty()) return static_cast<void>(add(region, Role::text, "empty", say("cost.empty")));
     add(region, Role::text, "reference", reference_text(findings, language()));
     OutlineItem& list = add(region, Role::list, "tries", region.name);

@@ -152,6 +152,11 @@ TEST_CASE("each effect has a bar as long as its share of the rays, and one of th
   for (const char* expected : {"penumbra", "50% of the rays", "25% of the time (20% to 30%)", "textures",
                                "0% of the rays", "\u22121% of the time (\u22122% to 1%)", "25% of the rays"})
     CHECK(std::find(texts.begin(), texts.end(), expected) != texts.end());
+  CHECK(effect_texts(survey, in_english) ==
+        std::vector<std::string>{"What each effect adds to this scene: the image with it, minus the image without it",
+                                 "penumbra: 50% of the rays, 25% of the time (20% to 30%)",
+                                 "textures: 0% of the rays, \u22121% of the time (\u22122% to 1%)",
+                                 "all shadow rays: 25% of the rays"});
   CHECK(survey_text(survey, 1, in_english) ==
         "All together: 1000 rays in 0.5 s. Every effect, used or not: 9 times the rays, 4 times the time.");
   study::SceneCost deep = survey;

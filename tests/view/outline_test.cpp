@@ -434,6 +434,25 @@ TEST_CASE("what Cost tries can be chosen in the outline, and what it has found i
     ++tries;
   });
   CHECK(tries == 1);
+
+  update(state, action::ShowCostPage{CostPage::effects});
+  CostFindings found{none};
+  const auto told = [&] {
+    std::vector<std::string> texts;
+    for (const OutlineItem& region : outline(state, &found))
+      if (region.key == "cost")
+        for (const OutlineItem& item : region.items) texts.push_back(item.name);
+    return texts;
+  };
+  found.surveyed = 0.25;
+  CHECK(told() == std::vector<std::string>{"measuring: 25%"});
+  found.survey.emplace();
+  found.survey->whole.rays = 1000, found.survey->whole.seconds = 0.5, found.survey->shadow_rays = 250;
+  found.survey->effects = {{Effect::penumbra, {}, 0.5, 0.25, 0.2, 0.3}};
+  CHECK(faults(outline(state, &found)) == "");
+  std::vector<std::string> expected = effect_texts(*found.survey, state.appearance.language);
+  expected.push_back(survey_text(found.survey, 0.25, state.appearance.language));
+  CHECK(told() == expected);
 }
 
 TEST_CASE("the dialog of a link is in the outline: its address, or why there is none, and what can be done") {

@@ -384,6 +384,8 @@ test('as text, properties are changed, and Cost says what it has found', async (
   assert.equal(await page.evaluate(() => document.activeElement.closest('details').open), true);
   await visit.act('cost-try');
   await page.waitForFunction(() => /rays/.test(document.querySelector('#mirror [data-key="entry try-0"]')?.textContent), { timeout: 60000 });
+  await visit.act('cost-page effects');
+  await page.waitForFunction(() => /of the time/.test(document.querySelector('#mirror [data-key="text effect-1"]')?.textContent), { timeout: 60000 });
   assert.deepEqual(visit.complaints, []);
   await page.close();
 });

@@ -28,6 +28,8 @@ struct CostFindings {
   const std::vector<study::Attempt>& attempts;
   double floor = 0;  ///< of the reference
   int reference_samples = 0;
+  std::optional<study::SceneCost> survey{};  ///< of the effects; empty during the first round
+  double surveyed = 0;                       ///< a fraction
 };
 [[nodiscard]] inline CostFindings findings_of(const study::Workbench& bench) {
   return {bench.attempts(), bench.floor(), bench.reference_samples()};
@@ -51,6 +53,8 @@ struct CostPlot {
 /// during the first round.
 [[nodiscard]] DisplayList effect_bars(const State& state, const std::optional<study::SceneCost>& survey, double width,
                                       double height, double unit);
+/// The same as sentences, after a title.
+[[nodiscard]] std::vector<std::string> effect_texts(const study::SceneCost& survey, Language language);
 /// "12.3 k rays in 0.05 s; every effect regardless: 9.1 times the rays, 7.5 times the time".
 [[nodiscard]] std::string survey_text(const std::optional<study::SceneCost>& survey, double done, Language language);
 

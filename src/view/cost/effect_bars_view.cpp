@@ -29,6 +29,31 @@ struct BarRow {
   const study::EffectCost* effect = nullptr;  ///< if its time is known too
 };
 
+std::string_view title_of(const study::SceneCost& survey) {
+  return survey.effects.empty() ? "cost.no_effects" : "cost.effects_title";
+}
+
+/// The costliest first, and all shadow rays at the end.
+std::vector<BarRow> rows_of(const study::SceneCost& survey, Language language) {
+  std::vector<BarRow> rows;
+  for (const study::EffectCost& effect : survey.effects)
+    rows.push_back({std::string(text(effect.effect, language)), effect.rays_share, &effect});
+  if (survey.whole.rays > 0)
+    rows.push_back({std::string(text("cost.all_rays", language)),
+                    static_cast<double>(survey.shadow_rays) / static_cast<double>(survey.whole.rays)});
+  return rows;
+}
+
+std::string rays_text(const BarRow& row, Language language) {
+  return fill("cost.of_rays", language, {{"percent", whole_percent(row.rays, language)}});
+}
+std::string time_text(const study::EffectCost& effect, Language language) {
+  return fill("cost.of_time", language,
+              {{"percent", whole_percent(effect.seconds_share, language)},
+               {"least", whole_percent(effect.seconds_low, language)},
+               {"most", whole_percent(effect.seconds_high, language)}});
+}
+
 /// Wrapped at words to this width.
 std::vector<std::string> lines_of(std::string_view rest, double letters, double width) {
   std::vector<std::string> lines(1);
@@ -46,6 +71,14 @@ std::vector<std::string> lines_of(std::string_view rest, double letters, double 
 }
 
 }  // namespace
+
+std::vector<std::string> effect_texts(const study::SceneCost& survey, Language language) {
+  std::vector<std::string> texts{std::string(text(title_of(survey), language))};
+  for (const BarRow& row : rows_of(survey, language))
+    texts.push_back(row.name + ": " + rays_text(row, language) +
+                    (row.effect != nullptr ? ", " + time_text(*row.effect, language) : ""));
+  return texts;
+}
 
 DisplayList effect_bars(const State& state, const std::optional<study::SceneCost>& survey, double width, double height,
                         double unit) {
@@ -65,24 +98,18 @@ DisplayList effect_bars(const State& state, const std::optional<study::SceneCost
                                 Stroke{filled ? colours.selected : colours.ink, stroke}}});
   };
 
-  std::vector<BarRow> rows;
-  for (const study::EffectCost& effect : survey->effects)
-    rows.push_back({std::string(text(effect.effect, state.appearance.language)), effect.rays_share, &effect});
-  if (survey->whole.rays > 0)
-    rows.push_back({std::string(text("cost.all_rays", state.appearance.language)),
-                    static_cast<double>(survey->shadow_rays) / static_cast<double>(survey->whole.rays)});
+  const Language language = state.appearance.language;
+  const std::vector<BarRow> rows = rows_of(*survey, language);
 
   double y = 0.7 * letters;
-  const bool none = survey->effects.empty();
-  const std::string title(text(none ? "cost.no_effects" : "cost.effects_title", state.appearance.language));
-  for (const std::string& part : lines_of(title, letters, width)) {
+  for (const std::string& part : lines_of(text(title_of(*survey), language), letters, width)) {
     write({0, y}, part, colours.text, TextAnchor::start);
     y += 1.2 * letters;
   }
 
-  const auto percent = [&](double share) { return whole_percent(share, state.appearance.language); };
+  const auto percent = [&](double share) { return whole_percent(share, language); };
   const std::string longest =
-      fill("cost.of_time", state.appearance.language, {{"percent", "100%"}, {"least", "100%"}, {"most", "100%"}});
+      fill("cost.of_time", language, {{"percent", "100%"}, {"least", "100%"}, {"most", "100%"}});
   const auto names_width = [&] {
     double widest = 0;
     for (const BarRow& row : rows) widest = std::max(widest, text_width(row.name, letters));
@@ -98,7 +125,7 @@ DisplayList effect_bars(const State& state, const std::optional<study::SceneCost
     for (const bool filled : {true, false}) {
       const Vec2d low(x, y - 0.3 * letters), high(x + letters, y + 0.3 * letters);
       draw_bar(low, high, filled, 1.5 * line);
-      const std::string words(text(filled ? "cost.key_rays" : "cost.key_time", state.appearance.language));
+      const std::string words(text(filled ? "cost.key_rays" : "cost.key_time", language));
       write({high.x + 0.4 * letters, y}, words, colours.text, TextAnchor::start);
       x = high.x + 1.6 * letters + text_width(words, letters);
     }
@@ -132,9 +159,7 @@ DisplayList effect_bars(const State& state, const std::optional<study::SceneCost
     write({name_width, centre}, row.name, colours.text, TextAnchor::end);
     double right = bar(top, row.rays, true);
     if (apart || row.effect == nullptr)
-      label(top + thick / 2, right,
-            in_words && apart ? fill("cost.of_rays", state.appearance.language, {{"percent", percent(row.rays)}})
-                              : percent(row.rays));
+      label(top + thick / 2, right, in_words && apart ? rays_text(row, language) : percent(row.rays));
     if (row.effect != nullptr) {
       top += step;
       const study::EffectCost& effect = *row.effect;
@@ -153,12 +178,7 @@ DisplayList effect_bars(const State& state, const std::optional<study::SceneCost
       if (!apart)
         label(centre, right, percent(row.rays) + " \u00b7 " + time);
       else
-        label(middle, right,
-              in_words ? fill("cost.of_time", state.appearance.language,
-                              {{"percent", time},
-                               {"least", percent(effect.seconds_low)},
-                               {"most", percent(effect.seconds_high)}})
-                       : time);
+        label(middle, right, in_words ? time_text(effect, language) : time);
     }
     y += row_height;
   }
