@@ -19,11 +19,17 @@ constexpr int round_pieces = 48;
 
 /// An ellipse about `centre` with half axes `u` and `v`.
 Polyline circle(const Vec3d& centre, const Vec3d& u, const Vec3d& v) {
+  static const std::vector<Vec2d> unit_circle = [] {  // every frame draws thousands of them
+    std::vector<Vec2d> points;
+    for (int i = 0; i <= round_pieces; ++i) {
+      const double angle = 2 * std::numbers::pi * i / round_pieces;
+      points.emplace_back(std::cos(angle), std::sin(angle));
+    }
+    return points;
+  }();
   Polyline curve;
-  for (int i = 0; i <= round_pieces; ++i) {
-    const double angle = 2 * std::numbers::pi * i / round_pieces;
-    curve.push_back(centre + std::cos(angle) * u + std::sin(angle) * v);
-  }
+  curve.reserve(unit_circle.size());
+  for (const Vec2d& at : unit_circle) curve.push_back(centre + at.x * u + at.y * v);
   return curve;
 }
 
