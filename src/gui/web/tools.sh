@@ -169,6 +169,10 @@ build_libraries() {
   sed -i -e '/^static const ImU32 GCrc32LookupTable\[256\] =/,/^};/d' -e 's/= GCrc32LookupTable;/= checksums();/' \
     -e '/^ImGuiID ImHashData(/i static const ImU32* checksums() {\n  static const struct Table {\n    ImU32 of[256];\n    Table() {\n      for (ImU32 i = 0; i < 256; ++i) {\n        of[i] = i;\n        for (int k = 0; k < 8; ++k) of[i] = (of[i] \& 1) ? (of[i] >> 1) ^ 0xEDB88320u : of[i] >> 1;\n      }\n    }\n  } table;\n  return table.of;\n}' \
     "$from"/imgui/imgui.cpp
+  # It draws alone, and need not put back the state of WebGL, which it would ask for: an answer waits until all before is
+  # drawn.
+  sed -i '/^void *ImGui_ImplOpenGL3_RenderDrawData/,/^}/{s/if (last_enable_scissor_test).*/glDisable(GL_SCISSOR_TEST);/;/last_/d}' \
+    "$from"/imgui/backends/imgui_impl_opengl3.cpp
   by_hand imgui imgui -std=c++17 "-I$prefix/include/freetype2" "-I$from/imgui/backends" -DIMGUI_ENABLE_FREETYPE \
     -DIMGUI_IMPL_OPENGL_ES3 -DIMGUI_DISABLE_DEMO_WINDOWS -- imgui.cpp imgui_draw.cpp imgui_tables.cpp imgui_widgets.cpp \
     backends/imgui_impl_glfw.cpp backends/imgui_impl_opengl3.cpp misc/freetype/imgui_freetype.cpp
