@@ -72,7 +72,8 @@ class Embedding {
       this.tell('predicted', { lesson: now.moment.lesson, lesson_step: now.moment.lesson_step, right: now.right > before.right });
     if (now.made > before.made) this.tell('predicted', { step: now.moment.step, right: now.last_right });
     const { lesson, lesson_step, lesson_steps } = before.moment;
-    if (lesson && now.moment.lesson !== lesson && lesson_step === lesson_steps && now.done[lesson] >= lesson_steps)
+    const ends = lesson_step === lesson_steps || !(before.done[lesson] >= lesson_steps); // a turn may see the last step left at once
+    if (lesson && now.moment.lesson !== lesson && ends && now.done[lesson] >= lesson_steps)
       this.tell('finished', { lesson, right: now.right, judged: now.judged });
     // Others are about the student's own files, which are nobody else's business.
     if (this.loading && now.error && now.error !== before.error) this.tell('refused', { why: now.error });
