@@ -307,9 +307,11 @@ void Window::replay_fast_input() {
   }
   if (fast_keys_.empty()) return;
   const FastKey press = fast_keys_.front();
-  fast_keys_.erase(fast_keys_.begin());
+  const bool is_down = io.KeysDown[press.key];
   happened_ = true;
-  if (io.KeysDown[press.key]) return;
+  if (!is_down && io.KeysDownDuration[press.key] >= 0) return;  // pressed again, it is first seen released
+  fast_keys_.erase(fast_keys_.begin());
+  if (is_down) return;
   io.KeysDown[press.key] = true;
   io.KeyCtrl = press.ctrl;
   io.KeyShift = press.shift;

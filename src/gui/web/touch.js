@@ -128,17 +128,12 @@ class Keyboard {
   own() {
     return this.field.value.replaceAll('\u200b', '');
   }
-  // Letters that are composed are typed as they stand there, and taken back where others take their place. A key has a
-  // turn of its own: within one the program takes it after the letters, and but once.
+  // Letters that are composed are typed as they stand there, and taken back where others take their place.
   compose() {
     const now = [...this.own()];
     let same = 0;
     while (same < this.composed.length && this.composed[same] === now[same]) ++same;
-    for (let i = same; i < this.composed.length; ++i) {
-      this.key(8, 'Backspace');
-      this.settle();
-      this.settle();
-    }
+    for (let i = same; i < this.composed.length; ++i) this.key(8, 'Backspace');
     this.type(now.slice(same).join(''));
     this.composed = now;
     this.settle();
@@ -151,8 +146,11 @@ class Keyboard {
   send(type, more) {
     this.canvas.dispatchEvent(new KeyboardEvent(type, { ...more, bubbles: true, cancelable: true }));
   }
+  // A key has turns of its own, which see it pressed and released: within one the program takes it after the letters, and
+  // but once.
   key(keyCode, key) {
     for (const type of ['keydown', 'keyup']) this.send(type, { key, keyCode });
+    for (let i = 0; i < 2; ++i) this.settle();
   }
   type(text) {
     for (const letter of text) this.send('keypress', { key: letter, charCode: letter.codePointAt(0) });
