@@ -196,11 +196,11 @@ void Window::listen() {
     self.pointer_ = {static_cast<float>(x), static_cast<float>(y)};
   });
   glfwSetCursorEnterCallback(window_, [](GLFWwindow* w, int) { window_of(w)->happened_ = true; });
-  glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int, int, int) {
+  glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int) {
     Window& self = *window_of(w);
     self.happened_ = true;
     // Not glfwGetCursorPos, which gives the current position.
-    self.button_places_.push_back(self.pointer_);
+    self.fast_buttons_.push_back({button, action == GLFW_PRESS, self.pointer_});
   });
   glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double) { window_of(w)->happened_ = true; });
   glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int) { window_of(w)->happened_ = true; });
@@ -258,7 +258,7 @@ bool Window::look(bool input) {
   glfwPollEvents();
   if (close_requested_ || !input) return close_requested_;
   const bool drags = happened_ && glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS;
-  return drags || !keys_.empty() || !button_places_.empty() || platform::input_waits();
+  return drags || !keys_.empty() || !fast_buttons_.empty() || platform::input_waits();
 }
 
 std::vector<KeyPress> Window::take_keys() { return std::exchange(keys_, {}); }
@@ -293,11 +293,15 @@ void Window::draw_again() {
 void Window::replay_fast_input() {
 #if IMGUI_VERSION_NUM < 18700
   ImGuiIO& io = ImGui::GetIO();
-  if (!button_places_.empty()) {
-    io.MousePos = {button_places_.front().x, button_places_.front().y};
-    button_places_.erase(button_places_.begin());
+  if (!fast_buttons_.empty()) {
+    const FastButton event = fast_buttons_.front();
+    fast_buttons_.erase(fast_buttons_.begin());
+    for (std::size_t i = 0; i < buttons_down_.size(); ++i) io.MouseDown[i] = buttons_down_[i];
+    if (event.button < static_cast<int>(std::size(io.MouseDown))) io.MouseDown[event.button] = event.down;
+    io.MousePos = {event.at.x, event.at.y};
     happened_ = true;
   }
+  std::copy(std::begin(io.MouseDown), std::end(io.MouseDown), buttons_down_.begin());
   if (!held_keys_.empty()) {
     const auto down = [&](int place) { return glfwGetKey(window_, place) == GLFW_PRESS; };
     for (const FastKey& held : std::exchange(held_keys_, {})) io.KeysDown[held.key] = down(held.place);
@@ -318,7 +322,7 @@ void Window::replay_fast_input() {
   io.KeyAlt = press.alt;
   held_keys_.push_back(press);
 #else
-  button_places_.clear();
+  fast_buttons_.clear();
   fast_keys_.clear();
 #endif
 }

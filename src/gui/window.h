@@ -4,6 +4,7 @@
 #include "image/image_file.h"
 #include "text/error.h"
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -85,7 +86,13 @@ class Window {
     float x, y;
   };
   Place pointer_{-1, -1};  ///< after the last event
-  std::vector<Place> button_places_;
+  struct FastButton {
+    int button;
+    bool down;
+    Place at;
+  };
+  std::vector<FastButton> fast_buttons_;
+  std::array<bool, 5> buttons_down_{};  ///< in the last frame
   struct FastKey {
     int key, place;  ///< GLFW_KEY_*, by what is written on it and by where it is
     bool ctrl, shift, alt;
