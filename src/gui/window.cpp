@@ -296,12 +296,11 @@ void Window::replay_fast_input() {
   if (!fast_buttons_.empty()) {
     const FastButton event = fast_buttons_.front();
     fast_buttons_.erase(fast_buttons_.begin());
-    for (std::size_t i = 0; i < buttons_down_.size(); ++i) io.MouseDown[i] = buttons_down_[i];
+    for (std::size_t i = 0; i < std::size(io.MouseDown); ++i) io.MouseDown[i] = io.MouseDownDuration[i] >= 0;
     if (event.button < static_cast<int>(std::size(io.MouseDown))) io.MouseDown[event.button] = event.down;
     io.MousePos = {event.at.x, event.at.y};
     happened_ = true;
   }
-  std::copy(std::begin(io.MouseDown), std::end(io.MouseDown), buttons_down_.begin());
   if (!held_keys_.empty()) {
     const auto down = [&](int place) { return glfwGetKey(window_, place) == GLFW_PRESS; };
     for (const FastKey& held : std::exchange(held_keys_, {})) io.KeysDown[held.key] = down(held.place);

@@ -4,7 +4,6 @@
 #include "image/image_file.h"
 #include "text/error.h"
 
-#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -92,7 +91,6 @@ class Window {
     Place at;
   };
   std::vector<FastButton> fast_buttons_;
-  std::array<bool, 5> buttons_down_{};  ///< in the last frame
   struct FastKey {
     int key, place;  ///< GLFW_KEY_*, by what is written on it and by where it is
     bool ctrl, shift, alt;
