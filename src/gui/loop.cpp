@@ -88,7 +88,7 @@ class Loop::Parts {
   [[nodiscard]] bool turn() {
     if (window_.wait(window_.minimised() ? until_due(false) : patience())) frames_due_ = frames_to_settle;
     pass_time();
-    for (const KeyPress& key : window_.take_keys()) press(key);
+    for (const KeyPress& key : window_.minimised() ? window_.drop_keys() : window_.take_keys()) press(key);
     if (window_.take_key_release()) let_go();
     if (window_.take_close_request()) act_from_outside(action::Quit{});
     if (!broken_ && !window_.minimised()) {

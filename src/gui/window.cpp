@@ -86,6 +86,14 @@ std::string_view name_of_key(int key) {
   return found == names.end() ? std::string_view() : found->second;
 }
 
+bool is_modifier(int key) { return key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER; }
+
+// Whether it writes a letter, where it is no command.
+bool writes(int key) {
+  return key == GLFW_KEY_UNKNOWN || (key >= GLFW_KEY_SPACE && key <= GLFW_KEY_WORLD_2) ||
+         (key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_EQUAL && key != GLFW_KEY_KP_ENTER);
+}
+
 Window* window_of(GLFWwindow* window) { return static_cast<Window*>(glfwGetWindowUserPointer(window)); }
 
 }  // namespace
@@ -139,7 +147,13 @@ Result<std::unique_ptr<Window>> Window::open(const std::string& title, int width
   // ImGui keeps the functions set above and calls them after its own.
   if (!ImGui_ImplGlfw_InitForOpenGL(window->window_, true)) return tl::unexpected(no_opengl());
 #if IMGUI_VERSION_NUM < 18700
-  glfwSetKeyCallback(window->window_, on_key);  // it is told of keys by on_key
+  // What is pressed and typed reaches it by show_to_imgui.
+  glfwSetKeyCallback(window->window_, on_key);
+  glfwSetCharCallback(window->window_, [](GLFWwindow* w, unsigned code) {
+    Window& self = *window_of(w);
+    self.happened_ = true;
+    self.input_.emplace_back(Character{code});
+  });
 #endif
   platform::connect_clipboard();
   if (!ImGui_ImplOpenGL3_Init(platform::shading_language())) {
@@ -162,18 +176,11 @@ Window::~Window() {
 
 void Window::on_key(GLFWwindow* window, int place, int scan_code, int action, int modifiers) {
   Window& self = *window_of(window);
-  const int key = platform::key_written(place, scan_code);
-#if IMGUI_VERSION_NUM < 18700  // later ones find out themselves what is written on it
-  if (window == self.window_) ImGui_ImplGlfw_KeyCallback(window, key, scan_code, action, modifiers);
-#endif
   self.happened_ = true;
-  self.key_released_ |= action == GLFW_RELEASE;
-  if (action == GLFW_RELEASE || key == GLFW_KEY_UNKNOWN) return;
   const bool ctrl = (modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER)) != 0;
   const bool shift = (modifiers & GLFW_MOD_SHIFT) != 0, alt = (modifiers & GLFW_MOD_ALT) != 0;
-  self.fast_keys_.push_back({key, place, ctrl, shift, alt});
-  if (const std::string_view name = name_of_key(key); !name.empty())
-    self.keys_.push_back({name, ctrl, shift && key != GLFW_KEY_EQUAL, alt, action == GLFW_REPEAT});
+  const int key = platform::key_written(place, scan_code);
+  self.input_.emplace_back(Key{key, action != GLFW_RELEASE, action == GLFW_REPEAT, ctrl, shift, alt});
 }
 
 void Window::hear(GLFWwindow* other) {
@@ -200,7 +207,7 @@ void Window::listen() {
     Window& self = *window_of(w);
     self.happened_ = true;
     // Not glfwGetCursorPos, which gives the current position.
-    self.fast_buttons_.push_back({button, action == GLFW_PRESS, self.pointer_});
+    self.input_.emplace_back(Button{button, action == GLFW_PRESS, self.pointer_});
   });
   glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double) { window_of(w)->happened_ = true; });
   glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int) { window_of(w)->happened_ = true; });
@@ -258,14 +265,67 @@ bool Window::look(bool input) {
   glfwPollEvents();
   if (close_requested_ || !input) return close_requested_;
   const bool drags = happened_ && glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS;
-  return drags || !keys_.empty() || !fast_buttons_.empty() || platform::input_waits();
+  return drags || input_.size() > due_ || platform::input_waits();
 }
 
-std::vector<KeyPress> Window::take_keys() { return std::exchange(keys_, {}); }
+bool Window::Key::edits() const { return (ctrl && !alt) || !writes(key); }
+
+void Window::note(const Key& key, std::vector<KeyPress>& keys) {
+  key_released_ |= !key.down;
+  if (const std::string_view name = name_of_key(key.key); key.down && !name.empty())
+    keys.push_back({name, key.ctrl, key.shift && key.key != GLFW_KEY_EQUAL, key.alt, key.repeat});
+}
+
+std::size_t Window::of_a_frame() const {
+#if IMGUI_VERSION_NUM < 18700
+  // Later ones keep such a queue themselves. This one sees a button or key only as it is at a frame, and takes letters
+  // before it takes keys.
+  bool pressed = false, edits = false;
+  std::vector<int> changed;
+  for (std::size_t i = 0; i < input_.size(); ++i) {
+    if (std::holds_alternative<Button>(input_[i])) return std::max<std::size_t>(i, 1);
+    if (std::holds_alternative<Character>(input_[i])) {
+      if (edits) return i;
+      continue;
+    }
+    const Key& key = std::get<Key>(input_[i]);
+    if (key.repeat) {
+      edits |= key.edits();
+      continue;
+    }
+    const bool again = std::find(changed.begin(), changed.end(), key.key) != changed.end();
+    if (again || (pressed && is_modifier(key.key))) return i;
+    changed.push_back(key.key);
+    if (!key.down || is_modifier(key.key)) continue;
+    if (std::exchange(pressed, true)) return i;
+    edits |= key.edits();
+  }
+#endif
+  return input_.size();
+}
+
+std::vector<KeyPress> Window::take_keys() {
+  if (due_ > 0) return {};  // taken, and no frame came since
+  due_ = of_a_frame();
+  std::vector<KeyPress> keys;
+  for (std::size_t i = 0; i < due_; ++i)
+    if (const Key* key = std::get_if<Key>(&input_[i])) note(*key, keys);
+  return keys;
+}
 
 std::vector<KeyPress> Window::drop_keys() {
-  fast_keys_.clear();
-  return take_keys();
+  std::vector<KeyPress> keys;
+  for (std::size_t i = 0; i < input_.size(); ++i) {
+    const Key* key = std::get_if<Key>(&input_[i]);
+    if (key == nullptr) continue;
+    if (i >= due_) note(*key, keys);
+    if (!key->down) show_to_imgui(*key);
+  }
+  input_.erase(std::remove_if(input_.begin(), input_.end(),
+                              [](const auto& event) { return !std::holds_alternative<Button>(event); }),
+               input_.end());
+  due_ = 0;
+  return keys;
 }
 
 bool Window::take_key_release() { return std::exchange(key_released_, false); }
@@ -288,48 +348,46 @@ void Window::draw_again() {
   ImGui_ImplOpenGL3_Init(platform::shading_language());
 }
 
-// A drag begins where the button went down, even if the pointer has moved before the frame; and a key released before
-// the frame still counts as pressed. Each gets its own frame.
-void Window::replay_fast_input() {
+void Window::show_to_imgui([[maybe_unused]] const Key& key) {
 #if IMGUI_VERSION_NUM < 18700
   ImGuiIO& io = ImGui::GetIO();
-  if (!fast_buttons_.empty()) {
-    const FastButton event = fast_buttons_.front();
-    fast_buttons_.erase(fast_buttons_.begin());
-    for (std::size_t i = 0; i < std::size(io.MouseDown); ++i) io.MouseDown[i] = io.MouseDownDuration[i] >= 0;
-    if (event.button < static_cast<int>(std::size(io.MouseDown))) io.MouseDown[event.button] = event.down;
-    io.MousePos = {event.at.x, event.at.y};
-    happened_ = true;
-  }
-  if (!held_keys_.empty()) {
-    const auto down = [&](int place) { return glfwGetKey(window_, place) == GLFW_PRESS; };
-    for (const FastKey& held : std::exchange(held_keys_, {})) io.KeysDown[held.key] = down(held.place);
-    io.KeyCtrl = down(GLFW_KEY_LEFT_CONTROL) || down(GLFW_KEY_RIGHT_CONTROL);
-    io.KeyShift = down(GLFW_KEY_LEFT_SHIFT) || down(GLFW_KEY_RIGHT_SHIFT);
-    io.KeyAlt = down(GLFW_KEY_LEFT_ALT) || down(GLFW_KEY_RIGHT_ALT);
-  }
-  if (fast_keys_.empty()) return;
-  const FastKey press = fast_keys_.front();
-  const bool is_down = io.KeysDown[press.key];
-  happened_ = true;
-  if (!is_down && io.KeysDownDuration[press.key] >= 0) return;  // pressed again, it is first seen released
-  fast_keys_.erase(fast_keys_.begin());
-  if (is_down) return;
-  io.KeysDown[press.key] = true;
-  io.KeyCtrl = press.ctrl;
-  io.KeyShift = press.shift;
-  io.KeyAlt = press.alt;
-  held_keys_.push_back(press);
-#else
-  fast_buttons_.clear();
-  fast_keys_.clear();
+  if (key.key >= 0 && key.key < static_cast<int>(std::size(io.KeysDown)) && !key.repeat)
+    io.KeysDown[key.key] = key.down;
+  const auto down = [&](int one, int other) { return io.KeysDown[one] || io.KeysDown[other]; };
+  const bool has_them = !is_modifier(key.key);  // that of a modifier has those before it
+  io.KeyCtrl = down(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL) || (has_them && key.ctrl);
+  io.KeyShift = down(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT) || (has_them && key.shift);
+  io.KeyAlt = down(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT) || (has_them && key.alt);
+  io.KeySuper = down(GLFW_KEY_LEFT_SUPER, GLFW_KEY_RIGHT_SUPER);
 #endif
+}
+
+// A drag begins where the button went down, even if the pointer has moved before the frame; and a key released before
+// the frame still counts as pressed.
+void Window::show_to_imgui() {
+#if IMGUI_VERSION_NUM < 18700
+  ImGuiIO& io = ImGui::GetIO();
+  show_to_imgui(Key{GLFW_KEY_UNKNOWN, false, false, false, false, false});  // a key's modifiers are for its frame only
+  const auto is_button = [](const auto& event) { return std::holds_alternative<Button>(event); };
+  if (std::any_of(input_.begin(), input_.end(), is_button))  // the backend has them as they are now
+    for (std::size_t i = 0; i < std::size(io.MouseDown); ++i) io.MouseDown[i] = io.MouseDownDuration[i] >= 0;
+  for (std::size_t i = 0; i < due_; ++i) {
+    if (const Key* key = std::get_if<Key>(&input_[i])) show_to_imgui(*key);
+    if (const Character* character = std::get_if<Character>(&input_[i])) io.AddInputCharacter(character->code);
+    if (const Button* event = std::get_if<Button>(&input_[i])) {
+      if (event->button < static_cast<int>(std::size(io.MouseDown))) io.MouseDown[event->button] = event->down;
+      io.MousePos = {event->at.x, event->at.y};
+    }
+  }
+#endif
+  input_.erase(input_.begin(), input_.begin() + static_cast<std::ptrdiff_t>(std::exchange(due_, 0)));
+  happened_ |= !input_.empty();
 }
 
 void Window::begin_frame(bool with_pointer) {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
-  replay_fast_input();
+  show_to_imgui();
   if (!with_pointer) {
 #if IMGUI_VERSION_NUM >= 18700
     ImGui::GetIO().AddMousePosEvent(-FLT_MAX, -FLT_MAX);

@@ -4,8 +4,10 @@
 #include "image/image_file.h"
 #include "text/error.h"
 
+#include <cstddef>
 #include <memory>
 #include <string>
+#include <variant>
 #include <vector>
 
 struct GLFWwindow;
@@ -43,11 +45,12 @@ class Window {
   /// Polls events, as `wait` does, during other work: whether the user asked to close the window, or, with `input`,
   /// pressed a key or a button or drags. The functions below still report them.
   [[nodiscard]] bool look(bool input);
-  /// Keys pressed since the last call, in order.
+  /// Keys pressed since the last call, in order; of what was pressed between two frames, that which the next frame
+  /// shows to ImGui. What comes after it waits: a letter that follows a command is for the field that this one opens.
   [[nodiscard]] std::vector<KeyPress> take_keys();
-  /// The same, which no frame shall see any more: not even as pressed, where it waits for a frame of its own.
+  /// All keys that were pressed, where no frame shall show them, nor what was typed, to ImGui.
   [[nodiscard]] std::vector<KeyPress> drop_keys();
-  /// Whether a key was let go since the last call.
+  /// Whether a key that was taken or dropped was let go since the last call.
   [[nodiscard]] bool take_key_release();
   /// Whether the user asked the window to close since the last call.
   [[nodiscard]] bool take_close_request();
@@ -70,33 +73,39 @@ class Window {
   void end_frame_unseen();
 
  private:
-  Window() = default;
-  void listen();
-  /// `place`: the key, by where it is.
-  static void on_key(GLFWwindow* window, int place, int scan_code, int action, int modifiers);
-  void replay_fast_input();
-
-  GLFWwindow* window_ = nullptr;
-  ImGuiContext* imgui_ = nullptr;
-  bool backends_ = false;
-  std::vector<KeyPress> keys_;
-  /// For ImGui before 1.87, which polls mouse and keys once per frame: events between two frames.
   struct Place {
     float x, y;
   };
-  Place pointer_{-1, -1};  ///< after the last event
-  struct FastButton {
+  struct Button {
     int button;
     bool down;
     Place at;
   };
-  std::vector<FastButton> fast_buttons_;
-  struct FastKey {
-    int key, place;  ///< GLFW_KEY_*, by what is written on it and by where it is
-    bool ctrl, shift, alt;
+  struct Key {
+    int key;  ///< GLFW_KEY_*, by what is written on it
+    bool down, repeat, ctrl, shift, alt;
+    [[nodiscard]] bool edits() const;  ///< or commands: writes nothing
   };
-  std::vector<FastKey> fast_keys_;
-  std::vector<FastKey> held_keys_;
+  struct Character {
+    unsigned code;
+  };
+
+  Window() = default;
+  void listen();
+  /// `place`: the key, by where it is.
+  static void on_key(GLFWwindow* window, int place, int scan_code, int action, int modifiers);
+  /// How many of `input_` one frame can show to ImGui, so that none is lost and all keep their order.
+  [[nodiscard]] std::size_t of_a_frame() const;
+  void show_to_imgui();
+  static void show_to_imgui(const Key& key);
+  void note(const Key& key, std::vector<KeyPress>& keys);
+
+  GLFWwindow* window_ = nullptr;
+  ImGuiContext* imgui_ = nullptr;
+  bool backends_ = false;
+  Place pointer_{-1, -1};                                    ///< after the last event
+  std::vector<std::variant<Button, Key, Character>> input_;  ///< what no frame has shown to ImGui yet, in order
+  std::size_t due_ = 0;                                      ///< so many of `input_` are the next frame's
   bool happened_ = true, close_requested_ = false, shown_ = false, key_released_ = false;
 };
 
