@@ -3,4 +3,5 @@
 
 if (document.querySelector('link[rel=manifest]') && self.origin !== 'null' && navigator.serviceWorker)
   window.addEventListener('load', () => navigator.serviceWorker.register('kept.js', { updateViaCache: 'none' })
+    .then((registration) => { self.keeper = registration; }) // Firefox loses an installing worker that nobody holds
     .catch((why) => console.warn('the page is not kept for when there is no network:', why)));
