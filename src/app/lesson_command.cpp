@@ -55,6 +55,10 @@ std::string not_told(const Lesson& lesson) {
   return codes;
 }
 
+std::string counted(std::size_t count, const std::string& one, const std::string& other = {}) {
+  return fmt::format("{} {}", count, count == 1 ? one : !other.empty() ? other : one + "s");
+}
+
 std::string summary_of(const Lesson& lesson) {
   std::size_t questions = 0, claims = 0;
   const auto count = [&](const std::vector<Saying>& says) {
@@ -66,8 +70,9 @@ std::string summary_of(const Lesson& lesson) {
     claims += step.checks.size();
     count(step.says);
   }
-  return fmt::format("{:<28}{} steps, {} predictions, {} claims hold, in {} languages{}\n", lesson.name,
-                     lesson.steps.size(), questions, claims, lesson.words.size(), not_told(lesson));
+  return fmt::format("{:<28}{}, {}, {}, in {}{}\n", lesson.name, counted(lesson.steps.size(), "step"),
+                     counted(questions, "prediction"), counted(claims, "claim holds", "claims hold"),
+                     counted(lesson.words.size(), "language"), not_told(lesson));
 }
 
 bool is_page(const std::string& path) {

@@ -24,8 +24,9 @@ using AnyLight = std::variant<PointLight, DirectionalLight, SpotLight, SphereLig
 /// every hit. A light that weakens with distance has a member `attenuation`.
 ///
 /// `Kind::Prepared<T>` is what the tracer needs in scalar type T, every number rounded once: whether it is `isotropic`,
-/// that is, shines everywhere with the same strength; `shines_along` and `falloff`, if not; and `sample`, which maps
-/// the unit square to the light, uniformly in area, if it can have an extent.
+/// that is, shines everywhere with the same strength; `shines_along` and `falloff`, if not. If it can have an extent,
+/// `sample`, which maps the unit square to the light, uniformly in area; `half_extent`, how far it reaches along a unit
+/// direction from its centre; and `seen_radius`, of a disc of the area that is seen of it along a unit direction.
 template <class Kind>
 concept LightKind = requires(const Kind& light, Kind& own, const Vec3d& offset) {
   { Kind::name } -> std::convertible_to<std::string_view>;   // in scene files and to people

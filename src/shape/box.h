@@ -146,4 +146,20 @@ template <class T>
   return {box.min, box.max};
 }
 
+template <class T>
+[[nodiscard]] constexpr bool has_inside(const Box<T>& /*shape*/) {
+  return true;
+}
+
+template <class Cutter>
+void cut(Cutter& to, const Box<double>& box) {
+  const Vec3d &l = box.min, &h = box.max;
+  to.quad(0, {l.x, l.y, l.z}, {l.x, l.y, h.z}, {l.x, h.y, h.z}, {l.x, h.y, l.z});
+  to.quad(1, {h.x, l.y, l.z}, {h.x, h.y, l.z}, {h.x, h.y, h.z}, {h.x, l.y, h.z});
+  to.quad(2, {l.x, l.y, l.z}, {h.x, l.y, l.z}, {h.x, l.y, h.z}, {l.x, l.y, h.z});
+  to.quad(3, {l.x, h.y, l.z}, {l.x, h.y, h.z}, {h.x, h.y, h.z}, {h.x, h.y, l.z});
+  to.quad(4, {l.x, l.y, l.z}, {l.x, h.y, l.z}, {h.x, h.y, l.z}, {h.x, l.y, l.z});
+  to.quad(5, {l.x, l.y, h.z}, {h.x, l.y, h.z}, {h.x, h.y, h.z}, {l.x, h.y, h.z});
+}
+
 }  // namespace raywalk

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "math/elementary.h"
 #include "math/exact.h"
 #include "shape/intersection.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace raywalk {
 
@@ -93,6 +95,25 @@ template <class T>
   const auto reach = [&](T a, T b) { return disk.radius * std::sqrt(a * a + b * b); };
   const Vec3<T> half(reach(n.y, n.z), reach(n.z, n.x), reach(n.x, n.y));
   return {disk.centre - half, disk.centre + half};
+}
+
+template <class T>
+[[nodiscard]] constexpr bool has_inside(const Disk<T>& /*shape*/) {
+  return false;
+}
+
+template <class Cutter>
+void cut(Cutter& to, const Disk<double>& disk) {
+  const PlaneAxes<double> axes = plane_axes(normalize(disk.normal));
+  const bool turned = dot(cross(axes.u, axes.v), disk.normal) < 0;
+  const int around = to.sides(disk.radius), rings = to.pieces(to.world_length(disk.radius * axes.u));
+  const auto at = [&](int ring, int i) {
+    const auto [sine, cosine] = portable::sin_cos(2 * std::numbers::pi * (i % around) / around);
+    const double radius = disk.radius * ring / rings;
+    return disk.centre + radius * (cosine * axes.u + (turned ? -sine : sine) * axes.v);
+  };
+  for (int ring = 0; ring < rings && !to.too_many(); ++ring)
+    for (int i = 0; i < around; ++i) to.cell(0, {at(ring, i), at(ring + 1, i), at(ring + 1, i + 1), at(ring, i + 1)});
 }
 
 }  // namespace raywalk

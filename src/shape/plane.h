@@ -119,4 +119,12 @@ template <class T>
   return box;
 }
 
+template <class T>
+[[nodiscard]] constexpr bool has_inside(const Plane<T>& /*shape*/) {
+  return false;
+}
+
+template <class Cutter>
+void cut(Cutter& /*to*/, const Plane<double>& /*plane*/) {}
+
 }  // namespace raywalk

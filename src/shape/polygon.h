@@ -189,4 +189,18 @@ template <class T>
   return box;
 }
 
+template <class T>
+[[nodiscard]] constexpr bool has_inside(const Polygon<T>& /*shape*/) {
+  return false;
+}
+
+template <class Cutter>
+void cut(Cutter& to, const Polygon<double>& polygon) {
+  const Vec3d up = normalize(polygon.area_vector());
+  const Vec3d right = normalize(polygon.outline[1] - polygon.outline[0]);
+  std::vector<std::vector<Vec3d>> loops{polygon.outline};
+  loops.insert(loops.end(), polygon.holes.begin(), polygon.holes.end());
+  to.polygon(0, loops, right, cross(up, right));
+}
+
 }  // namespace raywalk

@@ -352,4 +352,26 @@ SurfacePoint<T> surface_at(const Prism<T>& prism, const Ray<T>& ray, const Inter
   return {{onto, std::clamp(reached.z, -half, half)}, {turn * along.y, turn * -along.x, 0}};
 }
 
+template <class T>
+[[nodiscard]] constexpr bool has_inside(const Prism<T>& /*shape*/) {
+  return true;
+}
+
+template <class Cutter>
+void cut(Cutter& to, const Prism<double>& prism) {
+  std::vector<Vec2d> corners = prism.corners;
+  const bool clockwise = prism.twice_signed_area() < 0;
+  const double low = -prism.height / 2, high = prism.height / 2;
+  std::vector<Vec3d> top, bottom;
+  for (int i = 0; i < prism.sides(); ++i) {
+    Vec2d a = prism.corner(i), b = prism.corner_after(i);
+    if (clockwise) std::swap(a, b);
+    to.quad(i, {a.x, a.y, low}, {b.x, b.y, low}, {b.x, b.y, high}, {a.x, a.y, high});
+    top.push_back({prism.corner(i), high});
+    bottom.push_back({prism.corner(i), low});
+  }
+  to.polygon(prism.top(), {top}, {1, 0, 0}, {0, 1, 0});
+  to.polygon(prism.bottom(), {bottom}, {0, 1, 0}, {1, 0, 0});
+}
+
 }  // namespace raywalk

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <vector>
 
 namespace raywalk {
 
@@ -307,6 +308,58 @@ Bounds<T> bounds(const Quadric<T, Kind>& quadric) {
   const double reach = std::sqrt(square);
   const Vec3d corner(static_cast<double>(quadric.radii.x) * reach, static_cast<double>(quadric.radii.y) * reach, 0);
   return {Vec3<T>(Vec3d(-corner.x, -corner.y, low)), Vec3<T>(Vec3d(corner.x, corner.y, high))};
+}
+
+template <class T, QuadricKind Kind>
+[[nodiscard]] bool has_inside(const Quadric<T, Kind>& quadric) {
+  const bool is_whole = std::isinf(quadric.z_min) && std::isinf(quadric.z_max);
+  return quadric.capped || (Kind == QuadricKind::ellipsoid && is_whole);
+}
+
+template <class Cutter, QuadricKind Kind>
+void cut(Cutter& to, const Quadric<double, Kind>& quadric) {
+  const double rx = quadric.radii.x, ry = quadric.radii.y;
+  double low = quadric.z_min, high = quadric.z_max;
+  if (Kind == QuadricKind::ellipsoid) low = std::max(low, -quadric.radii.z), high = std::min(high, quadric.radii.z);
+  if (Kind == QuadricKind::elliptic_paraboloid) low = std::max(low, 0.0);
+  if (!(std::isfinite(low) && std::isfinite(high) && low < high)) return;
+  const auto radius = [&](double z) { return std::sqrt(std::max(squared_section(quadric, z), 0.0)); };
+  if (Kind == QuadricKind::ellipsoid) {
+    const auto angle = [&](double z) {
+      const double s = std::clamp(z / quadric.radii.z, -1.0, 1.0);
+      return portable::atan2(s, std::sqrt((1 - s) * (1 + s)));
+    };
+    const int steps = std::max(to.least_sides() / 2, to.pieces(to.world_length({0, 0, high - low}) * 1.6));
+    to.swept(0, Cutter::round_profile(steps, angle(low), angle(high), quadric.radii.z), rx, ry);
+  } else {
+    const bool straight = Kind == QuadricKind::cylinder || Kind == QuadricKind::cone;
+    const int steps = std::max(straight ? 1 : 8, to.pieces(to.world_length({0, 0, high - low})));
+    std::vector<double> heights;
+    for (int i = 0; i <= steps; ++i) heights.push_back(i == steps ? high : low + (high - low) * i / steps);
+    // The apex, and the tips of two sheets.
+    for (const double tip : {0.0, -quadric.radii.z, quadric.radii.z}) {
+      const bool is_one =
+          Kind == QuadricKind::cone ? tip == 0 : Kind == QuadricKind::hyperboloid_two_sheets && tip != 0;
+      if (is_one && low < tip && tip < high) heights.push_back(tip);
+    }
+    std::sort(heights.begin(), heights.end());
+    std::vector<Vec2d> profile;
+    for (const double z : heights) {
+      if (squared_section(quadric, z) >= 0) {
+        profile.push_back({radius(z), z});
+      } else {  // between two sheets
+        to.swept(0, profile, rx, ry);
+        profile.clear();
+      }
+    }
+    to.swept(0, profile, rx, ry);
+  }
+  using Whole = Quadric<double, Kind>;
+  if (!quadric.capped) return;
+  if (std::isfinite(quadric.z_min) && squared_section(quadric, quadric.z_min) > 0)
+    to.lid(Whole::low_cap, quadric.z_min, radius(quadric.z_min), rx, ry, false);
+  if (std::isfinite(quadric.z_max) && squared_section(quadric, quadric.z_max) > 0)
+    to.lid(Whole::high_cap, quadric.z_max, radius(quadric.z_max), rx, ry, true);
 }
 
 }  // namespace raywalk

@@ -113,6 +113,19 @@ template <class T>
   return std::visit([](const auto& s) { return bounds(s); }, shape);
 }
 
+/// Whether it is closed.
+template <class T>
+[[nodiscard]] bool has_inside(const Shape<T>& shape) {
+  return std::visit([](const auto& s) { return has_inside(s); }, shape);
+}
+
+/// Cuts it into flat pieces, for radiosity and beams: `to` is a Cutter of trace/patch_cutter.cpp, which says what it
+/// can.
+template <class Cutter>
+void cut(Cutter& to, const Shape<double>& shape) {
+  std::visit([&](const auto& s) { cut(to, s); }, shape);
+}
+
 /// The same shape in another scalar type: each number rounded once.
 template <class To, class From>
 [[nodiscard]] Shape<To> shape_cast(const Shape<From>& shape);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace raywalk {
 
@@ -194,6 +195,17 @@ SurfacePoint<T> surface_at(const Sphere<T>& sphere, const Ray<T>& ray, const Int
   // A sphere smaller than the last digit of t is hit in its centre: use the normal that faces the ray.
   const Vec3<T> normal = distance > 0 ? offset / distance : -normalize(ray.direction);
   return {sphere.centre + sphere.radius * normal, normal};
+}
+
+template <class T>
+[[nodiscard]] constexpr bool has_inside(const Sphere<T>& /*shape*/) {
+  return true;
+}
+
+template <class Cutter>
+void cut(Cutter& to, const Sphere<double>& sphere) {
+  const double pole = std::numbers::pi / 2, radius = sphere.radius;
+  to.swept(0, Cutter::round_profile(to.sides(radius) / 2, -pole, pole, radius), radius, radius, sphere.centre);
 }
 
 }  // namespace raywalk

@@ -248,4 +248,14 @@ std::optional<Intersection<T>> intersect(const Triangle<T>& triangle, const Ray<
   return intersect(triangle, ShearedRay<T>(ray), t_max, departed_part, std::forward<Explain>(explain));
 }
 
+template <class T>
+[[nodiscard]] constexpr bool has_inside(const Triangle<T>& /*shape*/) {
+  return false;
+}
+
+template <class Cutter>
+void cut(Cutter& to, const Triangle<double>& triangle) {
+  to.triangle(0, triangle.a, triangle.b, triangle.c);
+}
+
 }  // namespace raywalk

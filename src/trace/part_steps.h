@@ -121,13 +121,7 @@ template <class T, bool with_maps>
 /// point.
 template <class T>
 [[nodiscard]] double radius_of_light(const typename World<T>::Light& light, const Vec3d& l, bool flat) {
-  if (const auto* sphere = std::get_if<SphereLight::Prepared<T>>(&light.kind))
-    return static_cast<double>(sphere->radius);
-  const auto* rectangle = std::get_if<RectangleLight::Prepared<T>>(&light.kind);
-  if (rectangle == nullptr) return 0;
-  const Vec3d u(rectangle->u), v(rectangle->v);
-  if (flat) return (std::abs(cross(plan(u), plan(l))) + std::abs(cross(plan(v), plan(l)))) / 2;
-  return std::sqrt(std::abs(dot(cross(u, v), l)) / std::numbers::pi);
+  return flat ? light.half_extent(Vec3d(-l.y, l.x, 0)) : light.seen_radius(l);
 }
 
 /// What the middle of a part sends back but for what it reflects and transmits.

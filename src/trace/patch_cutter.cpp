@@ -11,6 +11,7 @@ namespace raywalk {
 
 namespace {
 
+/// What the `cut` of each shape, beside its `intersect`, is handed to cut it with.
 class Cutter {
  public:
   Cutter(const World<double>& world, const CutSettings& settings)
@@ -128,6 +129,19 @@ class Cutter {
     swept(part, profile, rx, ry);
   }
 
+  /// A ball's profile from one angle above the equator to another, pole to pole at most.
+  [[nodiscard]] static std::vector<Vec2d> round_profile(int steps, double from, double to, double height) {
+    std::vector<Vec2d> profile;
+    for (int i = 0; i <= steps; ++i) {
+      const double angle = from + (to - from) * i / steps;
+      auto [sine, cosine] = portable::sin_cos(angle);
+      const double pole = std::numbers::pi / 2;
+      if (std::abs(angle) >= pole * (1 - 1e-12)) cosine = 0;
+      profile.push_back({cosine, sine * height});
+    }
+    return profile;
+  }
+
   [[nodiscard]] int pieces(double length) const {
     const double count = std::ceil(length / size_ * (1 - 1e-12));
     return static_cast<int>(std::clamp(count, 1.0, static_cast<double>(most_)));
@@ -153,121 +167,6 @@ class Cutter {
   bool mirrored_ = false;
   std::vector<Patch> patches_;
 };
-
-void cut(Cutter& to, const Box<double>& box) {
-  const Vec3d &l = box.min, &h = box.max;
-  to.quad(0, {l.x, l.y, l.z}, {l.x, l.y, h.z}, {l.x, h.y, h.z}, {l.x, h.y, l.z});
-  to.quad(1, {h.x, l.y, l.z}, {h.x, h.y, l.z}, {h.x, h.y, h.z}, {h.x, l.y, h.z});
-  to.quad(2, {l.x, l.y, l.z}, {h.x, l.y, l.z}, {h.x, l.y, h.z}, {l.x, l.y, h.z});
-  to.quad(3, {l.x, h.y, l.z}, {l.x, h.y, h.z}, {h.x, h.y, h.z}, {h.x, h.y, l.z});
-  to.quad(4, {l.x, l.y, l.z}, {l.x, h.y, l.z}, {h.x, h.y, l.z}, {h.x, l.y, l.z});
-  to.quad(5, {l.x, l.y, h.z}, {h.x, l.y, h.z}, {h.x, h.y, h.z}, {l.x, h.y, h.z});
-}
-
-void cut(Cutter& to, const Prism<double>& prism) {
-  std::vector<Vec2d> corners = prism.corners;
-  const bool clockwise = prism.twice_signed_area() < 0;
-  const double low = -prism.height / 2, high = prism.height / 2;
-  std::vector<Vec3d> top, bottom;
-  for (int i = 0; i < prism.sides(); ++i) {
-    Vec2d a = prism.corner(i), b = prism.corner_after(i);
-    if (clockwise) std::swap(a, b);
-    to.quad(i, {a.x, a.y, low}, {b.x, b.y, low}, {b.x, b.y, high}, {a.x, a.y, high});
-    top.push_back({prism.corner(i), high});
-    bottom.push_back({prism.corner(i), low});
-  }
-  to.polygon(prism.top(), {top}, {1, 0, 0}, {0, 1, 0});
-  to.polygon(prism.bottom(), {bottom}, {0, 1, 0}, {1, 0, 0});
-}
-
-void cut(Cutter& to, const Polygon<double>& polygon) {
-  const Vec3d up = normalize(polygon.area_vector());
-  const Vec3d right = normalize(polygon.outline[1] - polygon.outline[0]);
-  std::vector<std::vector<Vec3d>> loops{polygon.outline};
-  loops.insert(loops.end(), polygon.holes.begin(), polygon.holes.end());
-  to.polygon(0, loops, right, cross(up, right));
-}
-
-void cut(Cutter& to, const Triangle<double>& triangle) { to.triangle(0, triangle.a, triangle.b, triangle.c); }
-
-void cut(Cutter& to, const Disk<double>& disk) {
-  const PlaneAxes<double> axes = plane_axes(normalize(disk.normal));
-  const bool turned = dot(cross(axes.u, axes.v), disk.normal) < 0;
-  const int around = to.sides(disk.radius), rings = to.pieces(to.world_length(disk.radius * axes.u));
-  const auto at = [&](int ring, int i) {
-    const auto [sine, cosine] = portable::sin_cos(2 * std::numbers::pi * (i % around) / around);
-    const double radius = disk.radius * ring / rings;
-    return disk.centre + radius * (cosine * axes.u + (turned ? -sine : sine) * axes.v);
-  };
-  for (int ring = 0; ring < rings && !to.too_many(); ++ring)
-    for (int i = 0; i < around; ++i) to.cell(0, {at(ring, i), at(ring + 1, i), at(ring + 1, i + 1), at(ring, i + 1)});
-}
-
-/// A ball's profile from the angle above the equator, one pole to the other.
-std::vector<Vec2d> round_profile(int steps, double from, double to, double height) {
-  std::vector<Vec2d> profile;
-  for (int i = 0; i <= steps; ++i) {
-    const double angle = from + (to - from) * i / steps;
-    auto [sine, cosine] = portable::sin_cos(angle);
-    const double pole = std::numbers::pi / 2;
-    if (std::abs(angle) >= pole * (1 - 1e-12)) cosine = 0;
-    profile.push_back({cosine, sine * height});
-  }
-  return profile;
-}
-
-void cut(Cutter& to, const Sphere<double>& sphere) {
-  const double pole = std::numbers::pi / 2, radius = sphere.radius;
-  to.swept(0, round_profile(to.sides(radius) / 2, -pole, pole, radius), radius, radius, sphere.centre);
-}
-
-template <QuadricKind Kind>
-void cut(Cutter& to, const Quadric<double, Kind>& quadric) {
-  const double rx = quadric.radii.x, ry = quadric.radii.y;
-  double low = quadric.z_min, high = quadric.z_max;
-  if (Kind == QuadricKind::ellipsoid) low = std::max(low, -quadric.radii.z), high = std::min(high, quadric.radii.z);
-  if (Kind == QuadricKind::elliptic_paraboloid) low = std::max(low, 0.0);
-  if (!(std::isfinite(low) && std::isfinite(high) && low < high)) return;
-  const auto radius = [&](double z) { return std::sqrt(std::max(squared_section(quadric, z), 0.0)); };
-  if (Kind == QuadricKind::ellipsoid) {
-    const auto angle = [&](double z) {
-      const double s = std::clamp(z / quadric.radii.z, -1.0, 1.0);
-      return portable::atan2(s, std::sqrt((1 - s) * (1 + s)));
-    };
-    const int steps = std::max(to.least_sides() / 2, to.pieces(to.world_length({0, 0, high - low}) * 1.6));
-    to.swept(0, round_profile(steps, angle(low), angle(high), quadric.radii.z), rx, ry);
-  } else {
-    const bool straight = Kind == QuadricKind::cylinder || Kind == QuadricKind::cone;
-    const int steps = std::max(straight ? 1 : 8, to.pieces(to.world_length({0, 0, high - low})));
-    std::vector<double> heights;
-    for (int i = 0; i <= steps; ++i) heights.push_back(i == steps ? high : low + (high - low) * i / steps);
-    // The apex, and the tips of two sheets.
-    for (const double tip : {0.0, -quadric.radii.z, quadric.radii.z}) {
-      const bool is_one =
-          Kind == QuadricKind::cone ? tip == 0 : Kind == QuadricKind::hyperboloid_two_sheets && tip != 0;
-      if (is_one && low < tip && tip < high) heights.push_back(tip);
-    }
-    std::sort(heights.begin(), heights.end());
-    std::vector<Vec2d> profile;
-    for (const double z : heights) {
-      if (squared_section(quadric, z) >= 0) {
-        profile.push_back({radius(z), z});
-      } else {  // between two sheets
-        to.swept(0, profile, rx, ry);
-        profile.clear();
-      }
-    }
-    to.swept(0, profile, rx, ry);
-  }
-  using Whole = Quadric<double, Kind>;
-  if (!quadric.capped) return;
-  if (std::isfinite(quadric.z_min) && squared_section(quadric, quadric.z_min) > 0)
-    to.lid(Whole::low_cap, quadric.z_min, radius(quadric.z_min), rx, ry, false);
-  if (std::isfinite(quadric.z_max) && squared_section(quadric, quadric.z_max) > 0)
-    to.lid(Whole::high_cap, quadric.z_max, radius(quadric.z_max), rx, ry, true);
-}
-
-void cut(Cutter& /*to*/, const Plane<double>& /*plane*/) {}
 
 // --- The cut by z = 0
 
@@ -307,16 +206,6 @@ Loop cut_by_plane(Cutter& /*to*/, const S& /*clear of the plan*/) {
   return {};
 }
 
-template <class S>
-bool has_inside(const S& shape) {
-  constexpr bool solid =
-      std::is_same_v<S, Sphere<double>> || std::is_same_v<S, Box<double>> || std::is_same_v<S, Prism<double>>;
-  if constexpr (requires { shape.capped; })
-    return shape.capped || (S::kind == QuadricKind::ellipsoid && std::isinf(shape.z_min) && std::isinf(shape.z_max));
-  else
-    return solid;
-}
-
 }  // namespace
 
 double extent_of(const World<double>& world) {
@@ -342,9 +231,9 @@ CutScene cut_into_patches(const World<double>& world, const CutSettings& setting
     if (id % 1024 == 0) stop.check();
     cutter.begin(id);
     const Shape<double> shape = primitives.shape(id);
-    result.closed.push_back(std::visit([](const auto& s) { return has_inside(s); }, shape));
+    result.closed.push_back(has_inside(shape));
     if (!flat) {
-      std::visit([&](const auto& s) { cut(cutter, s); }, shape);
+      cut(cutter, shape);
       continue;
     }
     const Loop loop = std::visit([&](const auto& s) { return cut_by_plane(cutter, s); }, shape);

@@ -53,11 +53,7 @@ bool SpaceBeamTracer<T, Watcher>::faces(const Vertex& at, const Light& light) co
   const Vec3<T>& normal = at.bsdf.shading_normal;
   const T height = dot(normal, light.direction_to(light.place, at.position));
   if (!detail::has_extent(world_, light)) return height > 0;
-  if (const auto* sphere = std::get_if<SphereLight::Prepared<T>>(&light.kind)) return height > -sphere->radius;
-  const auto* rectangle = std::get_if<RectangleLight::Prepared<T>>(&light.kind);
-  const T reach =
-      rectangle == nullptr ? T(0) : std::abs(dot(normal, rectangle->u)) + std::abs(dot(normal, rectangle->v));
-  return height > -reach / 2;
+  return height > -light.half_extent(normal);
 }
 
 template <class T, class Watcher>

@@ -122,6 +122,25 @@ struct World {
         return sample<I + 1>(unit);
       }
     }
+    /// How far it reaches along a direction of unit length from its centre; 0 of a point.
+    template <class S>
+    [[nodiscard]] S half_extent(const Vec3<S>& direction) const {
+      return std::visit(
+          [&](const auto& light) {
+            if constexpr (requires { light.sample(Vec2<T>()); }) return light.half_extent(direction);
+            return S(0);
+          },
+          kind);
+    }
+    /// Of a disc of the area that is seen of it along `l`, of unit length; 0 of a point.
+    [[nodiscard]] double seen_radius(const Vec3d& l) const {
+      return std::visit(
+          [&](const auto& light) {
+            if constexpr (requires { light.sample(Vec2<T>()); }) return light.seen_radius(l);
+            return 0.0;
+          },
+          kind);
+    }
     /// From a surface to a point of the light, which is at t = 1; to a distant one, of unit length.
     [[nodiscard]] Vec3<T> direction_to(const Vec3<T>& point, const Vec3<T>& from) const {
       return is_distant ? place : point - from;

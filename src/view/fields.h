@@ -11,9 +11,9 @@
 //       void apply(State& state) const;
 //     };
 //
-// No word: it has no text form. No fields: it has none. No traits: those of Traits{}. One that only sets a value says
-// so in place, `void apply(auto& state) const { state.band.shown = on; }`: State is not complete here, and a template
-// waits until it is.
+// No word: it has no text form. No fields: it has none. No traits: those of Traits{}. A short one does it in place,
+// `void apply(auto& state) const { state.band.shown = on; }`, or `commit(state, ...)` to change the scene: State is not
+// complete here, and a template waits until it is, and until view/document/document.h is known.
 
 #include "math/vec.h"
 #include "math/words.h"

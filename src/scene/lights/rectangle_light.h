@@ -4,6 +4,8 @@
 #include "scene/lights/attenuation.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -32,6 +34,13 @@ struct RectangleLight {
     Vec3<T> corner, u, v;
 
     explicit Prepared(const RectangleLight& light) : corner(light.corner), u(light.u), v(light.v) {}
+    template <class S>
+    [[nodiscard]] S half_extent(const Vec3<S>& direction) const {
+      return (std::abs(dot(direction, Vec3<S>(u))) + std::abs(dot(direction, Vec3<S>(v)))) / 2;
+    }
+    [[nodiscard]] double seen_radius(const Vec3d& l) const {
+      return std::sqrt(std::abs(dot(cross(Vec3d(u), Vec3d(v)), l)) / std::numbers::pi);
+    }
     [[nodiscard]] Vec3<T> sample(const Vec2<T>& unit) const { return corner + unit.x * u + unit.y * v; }
   };
 };

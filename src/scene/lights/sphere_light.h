@@ -32,6 +32,11 @@ struct SphereLight {
     T radius;
 
     explicit Prepared(const SphereLight& light) : centre(light.position), radius(static_cast<T>(light.radius)) {}
+    template <class S>
+    [[nodiscard]] S half_extent(const Vec3<S>& /*direction*/) const {
+      return static_cast<S>(radius);
+    }
+    [[nodiscard]] double seen_radius(const Vec3d& /*l*/) const { return static_cast<double>(radius); }
     [[nodiscard]] Vec3<T> sample(const Vec2<T>& unit) const { return centre + radius * sample_uniform_sphere(unit); }
   };
 };
