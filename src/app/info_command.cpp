@@ -118,13 +118,33 @@ std::string patches_text(const Scene& scene) {
 
 }  // namespace
 
+/// What SCREEN shows of a planar scene.
+std::string strip_text(const Scene& scene) {
+  switch (integrator_of(scene)) {
+    case Integrator::photons:
+    case Integrator::radiosity:
+    case Integrator::beams:
+    case Integrator::cones:
+      return "the strip is of a flat world, endless along z, which the image is not";
+    case Integrator::automatic:
+    case Integrator::cast:
+    case Integrator::whitted:
+    case Integrator::distributed:
+    case Integrator::path:
+    case Integrator::pencils:
+      break;
+  }
+  return scene.render.samples == 1 ? "the strip is the middle row of the image"
+                                   : "the strip is the middle row of the image with one sample a pixel";
+}
+
 std::string info_text(const Scene& scene, const std::string& path) {
   std::string text = path + "\n";
   if (!scene.title.empty()) text += row("title", scene.title);
   if (!scene.description.empty()) text += row("description", scene.description);
 
   const std::string slanted = why_not_planar(scene);
-  text += row("planar", slanted.empty() ? "yes: the strip is the middle row of the image" : "no: " + slanted);
+  text += row("planar", slanted.empty() ? "yes: " + strip_text(scene) : "no: " + slanted);
   text += row("eye", point(scene.camera.eye) + ", looking at " + point(scene.camera.look_at));
   text += row("image", fmt::format("{} x {} pixels", scene.image.width, scene.image.height));
   text += row("screen", cells_text(scene));

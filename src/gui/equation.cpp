@@ -26,7 +26,8 @@ void swatch(const Ui& ui, const Rgbd& light, float height) {
 
 void EquationRoom::draw_tab(const Ui& ui, const Rect& where, TabContext&) {
   const EquationPanel panel = equation_panel(ui.state);
-  if (panel.rows.empty()) return paragraph(ui.colours.dim_text, ui.say("equation.empty"));
+  if (panel.rows.empty())
+    return paragraph(ui.colours.dim_text, ui.say(ui.state.walk.position == 0 ? "equation.empty" : "equation.nothing"));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), ui.px(5)});
   push_font(ui.fonts.strong);
   label(ui.colours.text, panel.title);

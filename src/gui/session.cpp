@@ -1,7 +1,6 @@
 #include "gui/session.h"
 
 #include "render/parallel.h"
-#include "scene/warnings.h"
 #include "study/shot.h"
 #include "text/file.h"
 #include "text/file_path.h"
@@ -133,7 +132,6 @@ Result<State> start(const GuiOptions& options, const Stop& stop) {
   run_detached(stop, [reading, path] { *reading = read_scene(path); });
   Result<SceneDocument> document = std::move(*reading);
   if (!document) return tl::unexpected(document.error());
-  const std::vector<std::string> warnings = collected(document->warnings);
   // A screenshot shows this scene: without questions about an earlier one, and without leaving traces.
   const bool picture = !options.screenshot_path.empty();
   const std::string folder = picture ? std::string() : state_folder(options);
@@ -141,8 +139,9 @@ Result<State> start(const GuiOptions& options, const Stop& stop) {
   State state = make_state(std::move(*document), absolute_path(path), folder, stop, language_for(options, settings));
   state.lessons.folder = options.data_dir + "/lessons";
   state.lessons.scenes_folder = options.data_dir + "/scenes";
+  const std::optional<std::string> warning = warning_of_file(state);
   restore_session(state);
-  if (!warnings.empty()) inform_above(state, warnings.front());
+  if (warning) inform_above(state, *warning);
   if (!options.broken_texts.empty())
     state.document.notice = Notice{Notice::Kind::error, fill("notice.broken_texts", state.appearance.language,
                                                              {{"why", options.broken_texts.front().text()}})};

@@ -450,6 +450,8 @@ class Describer {
              {"factor", found.factor},
              {"crossed", found.crossed},
              {"uncrossed", found.uncrossed},
+             {"difference", found.crossed - found.uncrossed},
+             {"length", found.length},
              {"share", Fraction{found.visible}}}};
   }
 

@@ -5,6 +5,7 @@
 #include "view/document/room.h"
 #include "view/state.h"
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -55,6 +56,8 @@ bool commit_if_valid(State& state, Scene next, int object, int light, EditMark m
 /// What is said of it in the window's language; null if nothing is.
 [[nodiscard]] const std::string* shipped_sentence(const State& state, const std::string& name);
 
+/// What is said of the scene's file when it is opened; nothing of a shipped one, which does on purpose what it does.
+[[nodiscard]] std::optional<std::string> warning_of_file(const State& state);
 void show_document(State& state, SceneDocument document, std::string path);
 /// The same once the user's scene is closed, with all that belongs to it.
 void show_another(State& state, SceneDocument document, std::string path);

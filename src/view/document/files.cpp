@@ -17,6 +17,17 @@ namespace {
 
 void complain(State& state, const Error& error) { complain(state, error.text()); }
 
+bool same_file(const std::string& a, const std::string& b) {
+  std::error_code failed;
+  return a == b || std::filesystem::equivalent(a, b, failed);  // folders too
+}
+
+/// Whether a file is one of the shipped scenes, which the lessons use.
+bool is_shipped(const State& state, const std::string& path) {
+  return !state.lessons.scenes_folder.empty() &&
+         same_file(std::filesystem::path(path).parent_path().string(), state.lessons.scenes_folder);
+}
+
 /// Before the user's scene is replaced.
 void close_scene(State& state) {
   forget_autosave(state);
@@ -31,11 +42,10 @@ void open_file(State& state, const std::string& path) {
   run_detached(state.document.stop, [reading, path] { *reading = read_scene(path); });
   Result<SceneDocument> document = std::move(*reading);
   if (!document) return complain(state, document.error());
-  const std::vector<std::string> warnings = collected(document->warnings);
   show_another(state, std::move(*document), absolute_path(path));
   add_recent(state, state.document.path);
-  inform_above(
-      state, warnings.empty() ? fill("notice.opened", state.appearance.language, {{"file", path}}) : warnings.front());
+  const std::optional<std::string> warning = warning_of_file(state);
+  inform_above(state, warning ? *warning : fill("notice.opened", state.appearance.language, {{"file", path}}));
 }
 
 void begin_scene(State& state, const std::string& /*path*/) {
@@ -69,17 +79,6 @@ void write_to(State& state, const std::string& path) {
     intent->carry_out(state, state.document.after_save_path);
 }
 
-bool same_file(const std::string& a, const std::string& b) {
-  std::error_code failed;
-  return a == b || std::filesystem::equivalent(a, b, failed);  // folders too
-}
-
-/// Whether a file is one of the shipped scenes, which the lessons use.
-bool is_shipped(const State& state, const std::string& path) {
-  return !state.lessons.scenes_folder.empty() &&
-         same_file(std::filesystem::path(path).parent_path().string(), state.lessons.scenes_folder);
-}
-
 /// Files that must not be replaced. A scene may overwrite itself and the file that it was read from.
 std::vector<std::string> files_in_use(const State& state, bool of_scene) {
   std::vector<std::string> files = state.document.keeps;
@@ -100,6 +99,12 @@ const std::string* gallery_text(const State& state, const std::string& name, std
 }
 
 }  // namespace
+
+std::optional<std::string> warning_of_file(const State& state) {
+  const std::vector<std::string> warnings = collected(state.document.contents.warnings);
+  if (warnings.empty() || is_shipped(state, state.document.path)) return std::nullopt;
+  return warnings.front();
+}
 
 std::string shipped_path(const State& state, const std::string& name) {
   return state.lessons.scenes_folder + "/" + name + std::string(scene_file_ending);

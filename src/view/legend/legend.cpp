@@ -20,7 +20,9 @@ Legend legend(const State& state) {
     row(RayKind::beam, "ray.short_cone", "legend.cone");
   else
     row(RayKind::primary, "ray.short_primary", "legend.primary");
-  if (!state.walk.timeline->of_radiosity()) row(RayKind::shadow, "ray.short_shadow", "legend.shadow");
+  if (!state.walk.timeline->of_radiosity())
+    row(RayKind::shadow, state.walk.timeline->of_cones() ? "ray.short_shadow_cone" : "ray.short_shadow",
+        "legend.shadow");
   // Cones are reflected and refracted as cones.
   if (!state.walk.timeline->of_radiosity() && !state.walk.timeline->of_cones()) {
     row(RayKind::reflect, "ray.short_reflect", "legend.reflect");

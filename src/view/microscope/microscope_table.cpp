@@ -80,7 +80,8 @@ std::string sentence_on(const Specimen& specimen, Language language) {
   if (!naive) return std::string(text("microscope.says_missed", language));
   if (!robust) return std::string(text("microscope.says_invented", language));
   const SpawnPoint& start = naive->starts.front();
-  const std::string starts = off_text(specimen, start.off, language);
+  const std::string starts =
+      start.off ? off_text(specimen, start.off, language) : std::string(text("microscope.somewhere", language));
   for (const SpawnedRays& rays : naive->spawned)
     if (rays.hit_own > 0)
       return fill("microscope.says_acne", language,

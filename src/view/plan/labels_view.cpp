@@ -107,6 +107,20 @@ std::optional<PolygonItem> drawn_screen(const DisplayList& list) {
   return whole;
 }
 
+/// Of what is drawn of it; of a light that reaches far, of its sign alone.
+Vec2d half_of_light(const Painter& painter, const Light& light) {
+  const double sign = 14 * painter.sizes.unit, most = 60 * painter.sizes.unit;
+  const double reach = painter.pixels(reach_of(light));
+  if (!is_area(light) || reach > most) return Vec2d(sign);
+  const std::vector<Vec3d> corners = outline_of(light);
+  Vec2d half(corners.empty() ? std::max(sign, reach) : sign);
+  for (const Vec3d& corner : corners) {
+    const Vec2d out = painter.pixels(plan(corner)) - painter.pixels(plan(*middle_of(light)));
+    half = {std::max(half.x, std::abs(out.x)), std::max(half.y, std::abs(out.y))};
+  }
+  return half;
+}
+
 std::vector<Labelled> labelled_things(const Painter& painter, const std::vector<DrawnBody>& bodies) {
   const double unit = painter.sizes.unit;
   const Camera& camera = painter.scene().camera;
@@ -130,7 +144,7 @@ std::vector<Labelled> labelled_things(const Painter& painter, const std::vector<
     if (!is_named(painter, painter.scene().lights.size(), target)) continue;
     things.push_back({shown_name(painter.state, light.name),
                       painter.pixels(light_place(painter.scene(), light, plan_room.camera, painter.viewport)),
-                      Vec2d(14 * unit), true, Target{}, false,
+                      half_of_light(painter, light), true, Target{}, false,
                       plan_room.selected == target || plan_room.hovered == target});
   }
   add_objects(painter, bodies, things);

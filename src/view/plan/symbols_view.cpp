@@ -111,6 +111,22 @@ void draw_eye(Painter& painter) {
   painter.keep_free(place(-9, 0), 13 * unit);
 }
 
+namespace {
+
+/// How far a light with an extent reaches, seen from above.
+void draw_extent(Painter& painter, const Light& light) {
+  const Colour fill = painter.colours.light.with_alpha(40);
+  const Stroke edge = painter.stroke(painter.colours.light.with_alpha(200));
+  std::vector<Vec2d> corners;
+  for (const Vec3d& corner : outline_of(light)) corners.push_back(painter.pixels(plan(corner)));
+  if (!corners.empty())
+    painter.add(PolygonItem{std::move(corners), fill, edge});
+  else if (const auto middle = middle_of(light))
+    painter.add(CircleItem{painter.pixels(plan(*middle)), painter.pixels(reach_of(light)), fill, edge});
+}
+
+}  // namespace
+
 void draw_lights(Painter& painter) {
   const double unit = painter.sizes.unit;
   for (std::size_t i = 0; i < painter.scene().lights.size(); ++i) {
@@ -118,6 +134,7 @@ void draw_lights(Painter& painter) {
     const Target target{TargetKind::light, static_cast<int>(i)};
     const Vec2d at = painter.pixels(light_place(painter.scene(), light, painter.state.plan.camera, painter.viewport));
     const Stroke outline = painter.outline(target, painter.colours.light, 1.4);
+    if (is_area(light)) draw_extent(painter, light);
     constexpr int spokes = 8;
     for (int spoke = 0; spoke < spokes; ++spoke) {
       const double angle = 2 * std::numbers::pi * spoke / spokes;

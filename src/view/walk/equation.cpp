@@ -353,6 +353,7 @@ class EquationWriter {
     light(Kind::total, added.added, "+");
   }
   void weighted(double by_direction, double by_light, double weight) {
+    if (by_direction == 0 && by_light == 0) return;  // no choice could have found it
     row(Kind::numbers, "p(", Word{"equation.direction"}, ") = ", by_direction, state_.appearance.language.separator(),
         "p(", Word{"equation.light"}, ") = ", by_light);
     row(Kind::numbers, Word{"equation.weight"}, " = ", weight);
@@ -416,6 +417,7 @@ class EquationWriter {
     row(Kind::formula, "F = (X − U) / 2 L");
     row(Kind::numbers, "X = ", found.crossed, " ", Word{"equation.crossed"});
     row(Kind::numbers, "U = ", found.uncrossed, " ", Word{"equation.uncrossed"});
+    row(Kind::numbers, "X − U = ", found.crossed - found.uncrossed);
     row(Kind::numbers, "L = ", found.length);
     row(Kind::numbers, "F = ", found.factor);
     if (found.visible < 1) row(Kind::numbers, "V = ", found.visible, " ", Word{"equation.visible"});
