@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <random>
+#include <utility>
 
 namespace raywalk {
 
@@ -36,11 +37,17 @@ void passages(const Ui& ui, const std::vector<BugPassage>& all) {
 
 void hunt(const Ui& ui, const BugPanel& panel) {
   passages(ui, panel.said);
+  // What is new is scrolled into view.
+  int* const shown = ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("shown"));
+  const int now = static_cast<int>(ImGui::GetID((panel.verdict + "\n" + panel.marked).c_str()));
+  const bool is_new = std::exchange(*shown, now) != now;
+  if (is_new && !panel.verdict.empty() && !panel.can_judge) ImGui::SetScrollHereY(0);
   if (!panel.verdict.empty())
     heading(ui, panel.is_right ? Shades(ui.state.appearance.theme).accent : ui.colours.error,
             (panel.is_right ? "\u2713 " : "\u2717 ") + panel.verdict);
   passages(ui, panel.learnt);
   if (!panel.marked.empty()) heading(ui, panel.can_judge ? ui.colours.text : ui.colours.dim_text, panel.marked);
+  if (is_new && panel.can_judge) ImGui::SetScrollHereY(1);
 }
 
 }  // namespace

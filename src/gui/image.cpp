@@ -7,6 +7,7 @@
 #include "render/heat.h"
 #include "view/lesson/lesson_panel.h"
 #include "view/text/text.h"
+#include "view/walk/asked.h"
 
 #include <algorithm>
 #include <array>
@@ -167,6 +168,8 @@ void image_tab(const Ui& ui, const Rect& where, TabContext& context) {
     }
   }
   const bool has_row = ui.state.walk.planar && !ui.state.picture.camera;
+  // What a pixel shows is what its ray is predicted to meet.
+  const bool tells_answer = ui.state.predictions.on && prediction_asked(ui.state);
   ui.publish("image", image);
   if (image.width >= 8 && image.height >= 8) {
     const int cells = std::max(ui.state.scene().camera.screen.cells, 1);
@@ -177,9 +180,10 @@ void image_tab(const Ui& ui, const Rect& where, TabContext& context) {
       const float middle = image.y + static_cast<float>(picture.height / 2) * row + row / 2;
       const float half = std::max(row / 2, 0.5f) + ui.px(1.5f);
       mark_row(ui, image, std::round(middle - half), std::round(middle + half));
-      if (const int cell = current_cell(ui.state); cell >= 0) mark_cell(ui, image, cell, cells, middle);
+      if (const int cell = current_cell(ui.state); cell >= 0 && !tells_answer)
+        mark_cell(ui, image, cell, cells, middle);
     }
-    mark_walked(ui, image, picture);
+    if (!tells_answer) mark_walked(ui, image, picture);
     ImGui::SetCursorScreenPos(corner(image));
     ImGui::InvisibleButton(
         "image", size(image),

@@ -195,9 +195,9 @@ bool offers_cure(const Ui& ui, const LessonPanel& panel) {
 
 }  // namespace
 
-void LessonPane::number(const Ui& ui, const LessonPanel& panel, bool is_new) {
+void LessonPane::number(const Ui& ui, const LessonPanel& panel, bool is_new, bool takes_keys) {
   const bool revealed = ui.state.lessons.revealed;
-  if (is_new && !revealed) ImGui::SetKeyboardFocusHere();
+  if (is_new && takes_keys && !revealed) ImGui::SetKeyboardFocusHere();
   // While nobody types here the guess decides: it may be of another visit, or typed elsewhere.
   const std::optional<double>& guess = ui.state.lessons.guess.number;
   if (!types_ && typed_guess(ui.state.lessons, number_) != guess)
@@ -246,7 +246,8 @@ void LessonPane::question(const Ui& ui, const LessonPanel& panel, bool is_new, b
       button(ui, "lesson-question", ui.say("lesson.back_to_question"), "", wide, {.look = Look::primary}))
     ui.act(action::GoToLessonStep{panel.step - 1});
   // Nothing was typed, and nothing can be any more: an empty field would ask for it.
-  if (panel.asks == Asks::number && panel.unanswered.empty()) number(ui, panel, is_new);
+  // In a low pane the keyboard's field would scroll away what is asked.
+  if (panel.asks == Asks::number && panel.unanswered.empty()) number(ui, panel, is_new, !is_low);
 }
 
 void LessonPane::draw(const Ui& ui, const Rect& where) {
@@ -328,7 +329,10 @@ bool lesson_by_key(const KeyPress& press, const Ui& ui) {
     return true;
   }
   if (press.key != "Enter") return false;
-  if (panel.can_reveal) {
+  const auto next = std::find_if(panel.rows.begin(), panel.rows.end(), [](const LessonRow& row) { return row.next; });
+  if (state.lessons.at() == nullptr && next != panel.rows.end()) {
+    ui.act(action::OpenLesson{next->name});
+  } else if (panel.can_reveal) {
     ui.act(action::RevealLesson{});
   } else if (panel.can_go_on) {
     ui.act(action::GoToLessonStep{panel.step});

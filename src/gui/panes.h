@@ -100,7 +100,7 @@ class LessonPane {
 
  private:
   void question(const Ui& ui, const LessonPanel& panel, bool is_new, bool is_low);
-  void number(const Ui& ui, const LessonPanel& panel, bool is_new);
+  void number(const Ui& ui, const LessonPanel& panel, bool is_new, bool takes_keys);
 
   std::string number_;     ///< as typed
   bool types_ = false;     ///< whether somebody types it

@@ -270,7 +270,6 @@ struct Coincidence {
 const std::vector<Coincidence> coincidences{
     {"02-ray-meets-sphere", "from-inside", "lesson", "started", "where the ray starts is given"},
     {"02-ray-meets-sphere", "from-inside", "lesson", "partida", "the same"},
-    {"02-ray-meets-sphere", "from-inside", "microscope", "started", "how far off rays start, by either numerics"},
     {"02-ray-meets-sphere", "grow", "equation", "7", "where EYE stands"},
     {"04-reflection", "meets", "tree", "the Solid Sphere", "what blocks the shadow ray, which is another ray"},
     {"04-reflection", "meets", "tree", "a esfera s\u00f3lida", "the same"},

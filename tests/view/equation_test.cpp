@@ -42,7 +42,7 @@ std::vector<double> allowed(const State& state) {
                               90,
                               scene.limits.threshold,
                               static_cast<double>(scene.limits.depth),
-                              static_cast<double>(scene.camera.screen.cells)};
+                              static_cast<double>(scene.camera.screen.cells - 1)};
   for (const Object& object : scene.objects) numbers.push_back(object.material.ior);
   const auto add_event = [&](int index) { gather(event_json(scene, timeline.event(index)), numbers); };
   add_event(state.walk.position - 1);

@@ -276,6 +276,12 @@ TEST_CASE("recent files are remembered, the latest first, each once") {
   State next = make_state({busy_scene(), {}, {}}, {}, folder.file("state"));
   restore_session(next);
   CHECK(next.document.recent == state.document.recent);
+  // One that is gone cannot be opened.
+  std::filesystem::rename(folder.file("19.toml"), folder.file("moved.toml"));
+  restore_session(next);
+  CHECK(next.document.recent.size() == 9);
+  std::filesystem::rename(folder.file("moved.toml"), folder.file("19.toml"));
+  restore_session(next);
   // In two windows.
   update(next, action::SaveAs{folder.file("next.toml")});
   update(state, action::SaveAs{folder.file("last.toml")});

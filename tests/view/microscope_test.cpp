@@ -223,6 +223,19 @@ TEST_CASE("acne is called acne, and robust numerics are said to leave") {
   CHECK(row->robust == "leaves");
 }
 
+TEST_CASE("what leaves a point is not shown while it is to be predicted") {
+  State state = walking("classic");
+  const auto seen = find(state, [](const Specimen& each) { return each.robust && !each.robust->spawned.empty(); });
+  REQUIRE(seen);
+  const std::size_t rows = microscope_table(state, *seen).rows.size(),
+                    items = microscope_view(state, *seen, pane).size();
+  state.predictions.on = true;
+  const MicroscopeTable table = microscope_table(state, *seen);
+  CHECK(table.rows.size() + seen->robust->spawned.size() == rows);
+  CHECK(table.sentence == text("microscope.predict_first", in_english));
+  CHECK(microscope_view(state, *seen, pane).size() < items);
+}
+
 TEST_CASE("a t near 0 keeps its power of ten") {
   State state = walking("classic", false);
   const auto seen = find(state, [](const Specimen& each) { return each.robust && each.naive; });

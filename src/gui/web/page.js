@@ -321,6 +321,7 @@ function download(path) {
   link.download = name_in(path);
   link.click();
   if (self.origin === 'null' && window.parent !== window) remark('may_be_forbidden'); // nobody tells a sandbox
+  else if (path.endsWith('.toml')) remark('downloaded');
   setTimeout(() => URL.revokeObjectURL(link.href), 60000);
 }
 

@@ -212,7 +212,9 @@ void read_recent(State& state) {
   std::size_t start = 0;
   while (start < recent->size() && state.document.recent.size() < max_recent) {
     const std::size_t end = std::min(recent->find('\n', start), recent->size());
-    if (end > start) state.document.recent.push_back(recent->substr(start, end - start));
+    std::string path = recent->substr(start, end - start);
+    std::error_code failed;
+    if (std::filesystem::exists(path, failed)) state.document.recent.push_back(std::move(path));
     start = end + 1;
   }
 }

@@ -4,6 +4,7 @@
 #include "view/state.h"
 #include "view/text/shown.h"
 #include "view/text/text.h"
+#include "view/walk/asked.h"
 
 #include <fmt/format.h>
 
@@ -129,7 +130,10 @@ MicroscopeTable microscope_table(const State& state, const Specimen& specimen) {
   }
   table.title = fill("microscope.title", language,
                      {{"ray", ray}, {"object", name_of(specimen.robust ? specimen.robust : specimen.naive)}});
-  table.sentence = sentence_on(specimen, language);
+  const auto spawns = [](const std::optional<Reading>& reading) { return reading && !reading->spawned.empty(); };
+  const bool foretells = hides_rays_to_come(state) && (spawns(specimen.robust) || spawns(specimen.naive));
+  table.sentence =
+      foretells ? std::string(text("microscope.predict_first", language)) : sentence_on(specimen, language);
   const auto add = [&](std::string what, const auto& of, bool wrong) {
     const auto said = [&](const std::optional<Reading>& reading) {
       return reading ? of(*reading) : std::string(text("microscope.none", language));
@@ -165,6 +169,7 @@ MicroscopeTable microscope_table(const State& state, const Specimen& specimen) {
                    : off_text(specimen, start.off, language);
       },
       specimen.naive && !specimen.naive->starts.front().right_side());
+  if (foretells) return table;
   for (const RayKind kind : {RayKind::shadow, RayKind::reflect, RayKind::refract}) {
     const SpawnedRays *robust = of_kind(specimen.robust, kind), *naive = of_kind(specimen.naive, kind);
     if (robust == nullptr && naive == nullptr) continue;

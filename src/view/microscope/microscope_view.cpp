@@ -8,6 +8,7 @@
 #include "view/plan/painter.h"
 #include "view/text/shown.h"
 #include "view/text/text.h"
+#include "view/walk/asked.h"
 
 #include <fmt/format.h>
 
@@ -194,7 +195,7 @@ void Drawing::draw_ray() {
 
 /// One ray of each kind; naive ones if they start elsewhere. One that hits its own surface at once is cut off.
 void Drawing::draw_leaving(const std::optional<Reading>& reading, bool naive) {
-  if (!reading) return;
+  if (!reading || hides_rays_to_come(painter_.state)) return;
   for (const SpawnedRays& rays : reading->spawned) {
     const Vec2d at = place_of(rays.origin), along = Vec2d(1, -1) * flat(rays.direction);
     const double size = length(along);

@@ -96,9 +96,7 @@ TreePanel tree_panel(const State& state) {
   const Timeline::Range range = timeline.rays_of_pixel(pixel);
   const auto formed = static_cast<int>(timeline.rays_at(state.walk.position).size());
   const int current = timeline.current_ray(state.walk.position);
-  // During predictions, future rays would reveal the answer.
-  const bool foretells = question_waits(state) || state.predictions.on;
-  const int last = foretells ? std::min(range.last, formed) : range.last;
+  const int last = hides_rays_to_come(state) ? std::min(range.last, formed) : range.last;
   for (int i = range.first; i < last; ++i) {
     const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(i)];
     TreeNode node{};

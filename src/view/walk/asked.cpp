@@ -101,6 +101,8 @@ bool question_waits(const State& state) {
   return state.walk.position == step.asked && is_staged(state);
 }
 
+bool hides_rays_to_come(const State& state) { return question_waits(state) || state.predictions.on; }
+
 std::optional<Vec2d> arrow_origin(const State& state) {
   const PlayedStep* step = state.lessons.at();
   if (state.lessons.revealed || step == nullptr || state.walk.position != step->asked) return std::nullopt;

@@ -21,6 +21,9 @@ namespace raywalk {
 /// walks freely.)
 [[nodiscard]] bool question_waits(const State& state);
 
+/// Whether rays to come must not be shown: they would be the answer.
+[[nodiscard]] bool hides_rays_to_come(const State& state);
+
 /// Whether the plan takes an arrow from the mouse now, and where it starts.
 [[nodiscard]] std::optional<Vec2d> arrow_origin(const State& state);
 

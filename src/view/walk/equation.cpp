@@ -117,8 +117,8 @@ class EquationWriter {
 
   void write(const PixelBegun& begun) {
     if (timeline_.of_strip())
-      row(Kind::numbers, Word{"equation.pixel"}, " ", static_cast<double>(begun.column), " ", Word{"equation.of"}, " ",
-          static_cast<double>(scene().camera.screen.cells));
+      row(Kind::numbers, Word{"equation.pixel"}, " ", static_cast<double>(begun.column), " (0 \u2013 ",
+          static_cast<double>(scene().camera.screen.cells - 1), ")");
     else
       row(Kind::numbers, Word{"equation.pixel"}, " ", static_cast<double>(begun.column), ", ",
           static_cast<double>(begun.row));
