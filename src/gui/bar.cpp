@@ -104,12 +104,18 @@ bool show_menu(const Ui& ui, const Menu& menu, bool open) {
   const bool is_open = ImGui::BeginMenu(heading.c_str());
   ui.publish(menu.name);
   if (!is_open) return false;
-  // As tight as it must be to fit below the bar of the window.
+  // As tight as it must be to fit below the bar of the window; wider for fingers, where there is room.
   std::size_t rows = 0;
-  for (const MenuPart& part : menu.parts) rows += commands_in(part.section).size() + 1;
-  const float row = (window - bar - ui.px(24)) / static_cast<float>(rows);
+  for (const MenuPart& part : menu.parts) {
+    rows += commands_in(part.section).size();
+    if (part.more != nullptr)
+      rows += part.more == language_items ? ui.state.appearance.language.others().all().size() : 1;
+  }
+  const float line = ImGui::GetTextLineHeight(), entries = static_cast<float>(rows),
+              lines = static_cast<float>(menu.parts.size());
+  const float gap = (window - bar - ui.px(24) - entries * line - lines) / (entries + lines);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
-                      {ui.px(10), std::clamp(row - ImGui::GetTextLineHeight(), ui.px(1), ui.px(6))});
+                      {ui.px(10), std::clamp(gap, ui.px(1), ui.px(ui.state.appearance.touch ? 14 : 6))});
   bool first = true;
   for (const MenuPart& part : menu.parts) {
     if (part.more == nullptr && commands_in(part.section).empty()) continue;
