@@ -154,6 +154,13 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   const bool upright = is_upright(io.DisplaySize.x, io.DisplaySize.y);
   const bool in_plans_place = state.appearance.exchanges() != (has_plans_place(state) && !upright);
   if (in_plans_place && !helps && !folds && !layout_.tabs.empty()) std::swap(layout_.plan, layout_.tabs);
+  // In one column the lesson stands where the tabs would.
+  const bool in_lessons_column =
+      upright && wishes.front == Front::lesson && layout_.tabs.empty() && !helps && !folds && lesson_enlarges(state);
+  if (in_lessons_column) {
+    layout_.tabs = {layout_.plan.x, layout_.plan.y, layout_.plan.width, layout_.strip.bottom() - layout_.plan.y};
+    layout_.plan = layout_.strip = {layout_.tabs.x, layout_.tabs.bottom(), layout_.tabs.width, 0};
+  }
 
   if (folds && !asks && state.lessons.shown)
     folded_pane(with, "folded-lesson", layout_.lesson);
@@ -181,15 +188,17 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   if (helps) {
     help_pane(with, help, std::exchange(scroll_help_, 0.0f));
   } else {
-    if (shows_lines(state)) {
-      lines_pane(with, layout_.plan);
-    } else {
-      plan_pane(with, layout_.plan);
+    if (!in_lessons_column) {
+      if (shows_lines(state)) {
+        lines_pane(with, layout_.plan);
+      } else {
+        plan_pane(with, layout_.plan);
+      }
+      // One strip for both modes, so that the plan does not move.
+      if (!embedded && state.walk.mode == Mode::move) palette_pane(with, layout_.strip);
+      if (!embedded && state.walk.mode == Mode::trace) legend_pane(with, layout_.strip);
+      if (!embedded) focus_button(with, layout_.corner);
     }
-    // One strip for both modes, so that the plan does not move.
-    if (!embedded && state.walk.mode == Mode::move) palette_pane(with, layout_.strip);
-    if (!embedded && state.walk.mode == Mode::trace) legend_pane(with, layout_.strip);
-    if (!embedded) focus_button(with, layout_.corner);
     if (wishes.band > 0) band_pane(with, layout_.band);
     if (wishes.effects > 0) effects_pane(with, layout_.effects);
   }
@@ -203,7 +212,8 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
     code_pane(with, layout_.side);
   }
   if (!embedded && !folds)
-    tabs_.draw(with, layout_.tabs, picture, std::exchange(open_settings_, false), std::exchange(open_knobs_, false));
+    tabs_.draw(with, layout_.tabs, in_lessons_column, picture, std::exchange(open_settings_, false),
+               std::exchange(open_knobs_, false));
   breakpoints_.draw(with, layout_.side, std::exchange(open_breakpoints_, false));
   ImGui::End();
 

@@ -161,7 +161,9 @@ struct TabContext {
 class TabsPane {
  public:
   /// `open_settings`: opens the picture's settings; `open_knobs`: the Cost panel's knobs.
-  void draw(const Ui& ui, const Rect& where, const PictureView& picture, bool open_settings, bool open_knobs);
+  /// `alone`: what is shown, without the choice of tabs.
+  void draw(const Ui& ui, const Rect& where, bool alone, const PictureView& picture, bool open_settings,
+            bool open_knobs);
 
  private:
   FormMemory settings_, knobs_;

@@ -25,18 +25,30 @@ void fronts_pane(const Ui& ui, const Rect& where, Front front, bool with_lesson)
   if (with_lesson) choice(Front::lesson, "front-lesson", "command.lessons.label");
 }
 
-void TabsPane::draw(const Ui& ui, const Rect& where, const PictureView& picture, bool open_settings, bool open_knobs) {
-  const Pane pane(ui, "tabs", where, ui.colours.panel, {0, 0}, ImGuiWindowFlags_NoScrollbar);
-  if (!pane) return;
-  const float height = ui.px(32), margin = ui.px(10);
-  ImGui::GetWindowDrawList()->AddLine({where.x, where.y}, {where.right(), where.y},
-                                      to_imgui(Shades(ui.state.appearance.theme).line));
+namespace {
+
+// Which is shown; returns how high that is.
+float tab_choice(const Ui& ui, const Rect& where, float margin) {
+  const float height = ui.px(32);
   ImGui::SetCursorScreenPos({where.x + margin, where.y + ui.px(7)});
   const float tabs = choice_in_lines(ui, commands_in(Section::tabs), height, ui.fonts.small,
                                      where.width - 2 * margin - height - ui.px(4));
   ImGui::SetCursorScreenPos({where.right() - margin - height, where.y + ui.px(7)});
   command_button(ui, command("exchange"), {height, height},
                  {.look = Look::choice, .icon = Icon::exchange, .font = nullptr, .label = false});
+  return tabs;
+}
+
+}  // namespace
+
+void TabsPane::draw(const Ui& ui, const Rect& where, bool alone, const PictureView& picture, bool open_settings,
+                    bool open_knobs) {
+  const Pane pane(ui, "tabs", where, ui.colours.panel, {0, 0}, ImGuiWindowFlags_NoScrollbar);
+  if (!pane) return;
+  const float margin = ui.px(10);
+  ImGui::GetWindowDrawList()->AddLine({where.x, where.y}, {where.right(), where.y},
+                                      to_imgui(Shades(ui.state.appearance.theme).line));
+  const float tabs = alone ? 0.0f : tab_choice(ui, where, margin);
   const float top = where.y + tabs + ui.px(14);
   const Rect inside{where.x + margin, top, where.width - 2 * margin, where.bottom() - top - ui.px(4)};
   int pointed_at = -1;

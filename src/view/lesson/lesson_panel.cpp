@@ -113,14 +113,20 @@ std::optional<LessonVerdict> judge(const LessonRoom& sitting) {
   return LessonVerdict{degrees <= std::get<ArrowQuestion>(question).tolerance, degrees};
 }
 
+bool lesson_enlarges(const State& state) {
+  const PlayedStep* step = state.lessons.shown ? state.lessons.at() : nullptr;
+  if (step == nullptr || !step->step->large) return false;
+  const LessonBeside last = step->step->then == LessonBeside::unchanged ? step->step->pane : step->step->then;
+  const Tab& tab = state.appearance.tab;
+  return last == LessonBeside::picture ? tab == PictureRoom::tab : tab.word == name_of(last);
+}
+
 bool has_plans_place(const State& state) {
   const Tab& tab = state.appearance.tab;
   const PlayedStep* step = state.lessons.shown ? state.lessons.at() : nullptr;
-  if (step == nullptr) return tab.large;
-  if (step->step->pane == LessonBeside::microscope && tab == MicroscopeRoom::tab) return !question_waits(state);
-  const LessonBeside last = step->step->then == LessonBeside::unchanged ? step->step->pane : step->step->then;
-  const bool shown = last == LessonBeside::picture ? tab == PictureRoom::tab : tab.word == name_of(last);
-  return tab.large || (step->step->large && shown);
+  if (step != nullptr && step->step->pane == LessonBeside::microscope && tab == MicroscopeRoom::tab)
+    return !question_waits(state);
+  return tab.large || lesson_enlarges(state);
 }
 
 LessonPanel lesson_panel(const State& state) {

@@ -58,6 +58,8 @@ struct LessonPanel {
 }
 
 /// Whether the open tab has the plan's place, and the plan the tab's: a large one, or where the step of a lesson wants
+/// Whether the open step asks for room for the tab that is shown.
+[[nodiscard]] bool lesson_enlarges(const State& state);
 /// it so. What waits for an answer lets the plan be seen first.
 [[nodiscard]] bool has_plans_place(const State& state);
 
