@@ -148,15 +148,20 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   layout_ = lay_out(wishes);
 
   // Help takes the plan's place and the strip's. The walk's sentence and buttons, and the code, are always there.
-  const Rect help{layout_.plan.x, layout_.plan.y, layout_.plan.width, layout_.strip.bottom() - layout_.plan.y};
+  Rect help{layout_.plan.x, layout_.plan.y, layout_.plan.width, layout_.strip.bottom() - layout_.plan.y};
   const bool folds = wishes.focus;
   // An upright window has less room in the plan's place than beside or below the code.
   const bool upright = is_upright(io.DisplaySize.x, io.DisplaySize.y);
+  if (helps && upright && !layout_.fronts.empty()) {  // a telephone has no room for the code beside it
+    layout_.transport.y = io.DisplaySize.y - layout_.transport.height;
+    help.height = layout_.transport.y - help.y;
+    layout_.fronts = layout_.side = layout_.tabs = layout_.lesson = {};
+  }
   const bool in_plans_place = state.appearance.exchanges() != (has_plans_place(state) && !upright);
   if (in_plans_place && !helps && !folds && !layout_.tabs.empty()) std::swap(layout_.plan, layout_.tabs);
   // In one column the lesson stands where the tabs would.
   const bool in_lessons_column =
-      upright && wishes.front == Front::lesson && layout_.tabs.empty() && !helps && !folds && lesson_enlarges(state);
+      !layout_.fronts.empty() && wishes.front == Front::lesson && !helps && !folds && lesson_enlarges(state);
   if (in_lessons_column) {
     layout_.tabs = {layout_.plan.x, layout_.plan.y, layout_.plan.width, layout_.strip.bottom() - layout_.plan.y};
     layout_.plan = layout_.strip = {layout_.tabs.x, layout_.tabs.bottom(), layout_.tabs.width, 0};

@@ -36,6 +36,14 @@ void lay_out_walk(const LayoutWishes& wishes, float lesson, float top, float bot
   layout.plan = {edge, top, width, end - top};
 }
 
+// Of code, tabs and lesson the one that is in front, below the choice of it, in `where`.
+void lay_out_front(const LayoutWishes& wishes, const Rect& where, Layout& layout) {
+  const float choice = wishes.bare && wishes.lesson <= 0 ? 0 : take(where.height * 0.3f, 38 * wishes.unit);
+  layout.fronts = {where.x, where.y, where.width, choice};
+  Rect& front = wishes.front == Front::code ? layout.side : wishes.front == Front::tabs ? layout.tabs : layout.lesson;
+  front = {where.x, where.y + choice, where.width, where.height - choice};
+}
+
 Layout lay_out_upright(const LayoutWishes& wishes) {
   const float unit = wishes.unit, width = std::max(wishes.width, 0.0f), height = std::max(wishes.height, 0.0f);
   const float line = hairline(wishes);
@@ -64,10 +72,7 @@ Layout lay_out_upright(const LayoutWishes& wishes) {
     return layout;
   }
   if (one_column) {
-    const float choice = wishes.bare && wishes.lesson <= 0 ? 0 : take(low * 0.3f, 38 * unit);
-    layout.fronts = {0, lower.y, width, choice};
-    Rect& front = wishes.front == Front::code ? layout.side : wishes.front == Front::tabs ? layout.tabs : layout.lesson;
-    front = {0, lower.y + choice, width, low - choice};
+    lay_out_front(wishes, lower, layout);
     return layout;
   }
   layout.side = {0, lower.y, wishes.bare ? width : take(width, wishes.code_width), low};
@@ -85,7 +90,8 @@ float shrink_to_fit(float width, float height, float unit, bool lesson) {
   struct Least {
     float width, height;
   };
-  const Least least = is_upright(width, height) ? Least{400, 600} : lesson ? Least{900, 360} : Least{640, 360};
+  const bool three_columns = lesson && height >= low_window * unit;
+  const Least least = is_upright(width, height) ? Least{400, 600} : three_columns ? Least{900, 360} : Least{640, 360};
   const float part = std::min(width / (least.width * unit), height / (least.height * unit));
   // In steps, because each needs new fonts. Anything smaller is illegible.
   constexpr float steps = 32, smallest = 0.3f;
@@ -104,8 +110,14 @@ Layout lay_out(const LayoutWishes& wishes) {
   const float side = wishes.focus
                          ? take(width / 8, folded_width * unit)
                          : take(width * 2 / 3, std::max(wishes.code_width, std::min(width * 0.33f, 560 * unit)));
-  const float lesson = wishes.lesson > 0 ? take((width - side) * 0.5f - line, wishes.lesson) : 0.0f;
+  // A telephone on its side has no room for a third column.
+  const bool two_columns = !wishes.focus && height < low_window * unit && width < 900 * unit;
+  const float lesson = wishes.lesson > 0 && !two_columns ? take((width - side) * 0.5f - line, wishes.lesson) : 0.0f;
   lay_out_walk(wishes, lesson, top, height, std::max(width - side - line, 0.0f), layout);
+  if (wishes.lesson > 0 && two_columns) {
+    lay_out_front(wishes, {width - side, top, side, below}, layout);
+    return layout;
+  }
   if (wishes.focus) {
     layout.folded = {width - side, top, side, height - top};
     return layout;

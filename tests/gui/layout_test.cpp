@@ -85,6 +85,21 @@ TEST_CASE("a lesson takes its room from the plan alone, which keeps the larger p
   CHECK(with.tabs == without.tabs);
 }
 
+TEST_CASE("on a telephone on its side the lesson, the code and the tabs share a column") {
+  raywalk::LayoutWishes wishes{640, 360, 1, 110, 413, 250};
+  wishes.lesson = 330;
+  for (const auto front : {raywalk::Front::code, raywalk::Front::tabs, raywalk::Front::lesson}) {
+    wishes.front = front;
+    const Layout layout = raywalk::lay_out(wishes);
+    CHECK(layout.fronts.height >= 36);
+    CHECK((layout.side.empty() ? 0 : 1) + (layout.tabs.empty() ? 0 : 1) + (layout.lesson.empty() ? 0 : 1) == 1);
+    CHECK((front == raywalk::Front::lesson) == !layout.lesson.empty());
+    CHECK(layout.plan.width > 300);
+  }
+  wishes.lesson = 0;
+  CHECK(raywalk::lay_out(wishes).fronts.empty());
+}
+
 TEST_CASE("at 1280 x 720 every pane has room for what it shows") {
   const Layout layout = raywalk::lay_out({1280, 720, 1, 134, 413, 300});
   CHECK(layout.plan.width > 800);
@@ -100,7 +115,8 @@ TEST_CASE("in a small window everything is drawn smaller, never below what can b
   CHECK(shrink_to_fit(1280, 720, 1) == 1);
   CHECK(shrink_to_fit(1280, 720, 2) == 1);
   CHECK(shrink_to_fit(1280, 720, 2.5f) < 1);
-  CHECK(shrink_to_fit(1280, 720, 2, true) < 0.75f);
+  CHECK(shrink_to_fit(1280, 900, 2, true) < 0.75f);
+  CHECK(shrink_to_fit(1280, 720, 2, true) == 1);  // low: the lesson is not beside the code
   CHECK(shrink_to_fit(1280, 720, 1, true) == 1);
   CHECK(shrink_to_fit(400, 300, 1) <= 400 / 640.0f);
   CHECK(shrink_to_fit(400, 300, 1) > 0.9f * 400 / 640);
