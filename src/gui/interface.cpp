@@ -166,6 +166,16 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
     layout_.tabs = {layout_.plan.x, layout_.plan.y, layout_.plan.width, layout_.strip.bottom() - layout_.plan.y};
     layout_.plan = layout_.strip = {layout_.tabs.x, layout_.tabs.bottom(), layout_.tabs.width, 0};
   }
+  // Upright, what wants much room has the plan's too.
+  const bool fills = upright && !layout_.fronts.empty() && !layout_.tabs.empty() && state.appearance.tab.large &&
+                     !in_plans_place && !helps && !folds && wishes.band == 0 && wishes.effects == 0;
+  if (fills) {
+    layout_.transport.y = layout_.plan.y;
+    layout_.plan = layout_.strip = {layout_.plan.x, layout_.plan.y, layout_.plan.width, 0};
+    layout_.fronts.y = layout_.transport.bottom();
+    layout_.tabs.y = layout_.fronts.bottom();
+    layout_.tabs.height = io.DisplaySize.y - layout_.tabs.y;
+  }
 
   if (folds && !asks && state.lessons.shown)
     folded_pane(with, "folded-lesson", layout_.lesson);
@@ -193,7 +203,7 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   if (helps) {
     help_pane(with, help, std::exchange(scroll_help_, 0.0f));
   } else {
-    if (!in_lessons_column) {
+    if (!layout_.plan.empty()) {
       if (shows_lines(state)) {
         lines_pane(with, layout_.plan);
       } else {
@@ -226,7 +236,7 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   // What lies below a dialog is not hovered over, though the pointer still rests there in the dialog's first frame.
   if (state.document.question || state.document.prompt != PathPrompt::none || state.link.shown)
     static_cast<void>(rest_.take_tip());
-  notice_bar(with, layout_.plan, layout_.strip);
+  notice_bar(with, layout_.plan.empty() ? layout_.tabs : layout_.plan, layout_.strip);
   browser_.draw(with, home_, picture.gallery);
   link_dialog(with);
   question_dialog(with);
