@@ -116,8 +116,6 @@ std::string patches_text(const Scene& scene) {
   return text;
 }
 
-}  // namespace
-
 /// What SCREEN shows of a planar scene.
 std::string strip_text(const Scene& scene) {
   switch (integrator_of(scene)) {
@@ -137,6 +135,8 @@ std::string strip_text(const Scene& scene) {
   return scene.render.samples == 1 ? "the strip is the middle row of the image"
                                    : "the strip is the middle row of the image with one sample a pixel";
 }
+
+}  // namespace
 
 std::string info_text(const Scene& scene, const std::string& path) {
   std::string text = path + "\n";

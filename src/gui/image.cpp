@@ -169,7 +169,7 @@ void image_tab(const Ui& ui, const Rect& where, TabContext& context) {
   }
   const bool has_row = ui.state.walk.planar && !ui.state.picture.camera;
   // What a pixel shows is what its ray is predicted to meet.
-  const bool tells_answer = ui.state.predictions.on && prediction_asked(ui.state);
+  const bool tells_answer = prediction_asked(ui.state).has_value();
   ui.publish("image", image);
   if (image.width >= 8 && image.height >= 8) {
     const int cells = std::max(ui.state.scene().camera.screen.cells, 1);

@@ -10,6 +10,8 @@ namespace {
 // The part of `space` for a pane that wants `wish`.
 float take(float space, float wish) { return std::clamp(std::round(wish), 0.0f, std::max(space, 0.0f)); }
 
+constexpr float three_columns = 900;  ///< the least width of lesson, plan and code beside each other, at scale 1
+
 float hairline(const LayoutWishes& wishes) { return std::max(std::round(wishes.unit), 1.0f); }  // between neighbours
 
 // Lesson, plan, strip and transport between `top` and `bottom` and left of `right`, the lesson at the left.
@@ -90,8 +92,8 @@ float shrink_to_fit(float width, float height, float unit, bool lesson) {
   struct Least {
     float width, height;
   };
-  const bool three_columns = lesson && height >= low_window * unit;
-  const Least least = is_upright(width, height) ? Least{400, 600} : three_columns ? Least{900, 360} : Least{640, 360};
+  const bool beside = lesson && height >= low_window * unit;
+  const Least least = is_upright(width, height) ? Least{400, 600} : Least{beside ? three_columns : 640, 360};
   const float part = std::min(width / (least.width * unit), height / (least.height * unit));
   // In steps, because each needs new fonts. Anything smaller is illegible.
   constexpr float steps = 32, smallest = 0.3f;
@@ -111,7 +113,7 @@ Layout lay_out(const LayoutWishes& wishes) {
                          ? take(width / 8, folded_width * unit)
                          : take(width * 2 / 3, std::max(wishes.code_width, std::min(width * 0.33f, 560 * unit)));
   // A telephone on its side has no room for a third column.
-  const bool two_columns = !wishes.focus && height < low_window * unit && width < 900 * unit;
+  const bool two_columns = !wishes.focus && height < low_window * unit && width < three_columns * unit;
   const float lesson = wishes.lesson > 0 && !two_columns ? take((width - side) * 0.5f - line, wishes.lesson) : 0.0f;
   lay_out_walk(wishes, lesson, top, height, std::max(width - side - line, 0.0f), layout);
   if (wishes.lesson > 0 && two_columns) {

@@ -28,7 +28,7 @@ struct Layout {
   Rect side;       ///< the code, or the properties of the selection
   Rect tabs;       ///< 3-D image, ray tree, stack, legend: below the code
   Rect folded;     ///< in place of both, while the plan is in focus
-  Rect fronts;     ///< where they share a column: what chooses the one of lesson, side and tabs that is below; else empty
+  Rect fronts;     ///< in a shared column: what chooses the one of lesson, side and tabs below; else empty
 };
 
 struct LayoutWishes {

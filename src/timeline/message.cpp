@@ -448,8 +448,6 @@ class Describer {
     return {found.visible < 1 ? "walk.factor_partly" : "walk.factor_found",
             {{"object", object(found.object)},
              {"factor", found.factor},
-             {"crossed", found.crossed},
-             {"uncrossed", found.uncrossed},
              {"difference", found.crossed - found.uncrossed},
              {"length", found.length},
              {"share", Fraction{found.visible}}}};

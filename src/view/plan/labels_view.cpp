@@ -114,8 +114,9 @@ Vec2d half_of_light(const Painter& painter, const Light& light) {
   if (!is_area(light) || reach > most) return Vec2d(sign);
   const std::vector<Vec3d> corners = outline_of(light);
   Vec2d half(corners.empty() ? std::max(sign, reach) : sign);
+  const Vec2d middle = painter.pixels(plan(middle_of(light).value_or(Vec3d(0.0))));
   for (const Vec3d& corner : corners) {
-    const Vec2d out = painter.pixels(plan(corner)) - painter.pixels(plan(*middle_of(light)));
+    const Vec2d out = painter.pixels(plan(corner)) - middle;
     half = {std::max(half.x, std::abs(out.x)), std::max(half.y, std::abs(out.y))};
   }
   return half;
