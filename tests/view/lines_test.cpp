@@ -192,3 +192,40 @@ TEST_CASE("in space a wall's name does not stand on what lies before it") {
   }
   FAIL("no cornell.toml");
 }
+
+TEST_CASE("a light out of sight, and a sun, has an arrow at the border, towards where it stands") {
+  Scene scene = crowd(2);
+  scene.lights = {{"Far", Rgbd(1.0), PointLight{Vec3d(0, 400, 0), {}}},
+                  {"Near", Rgbd(1.0), PointLight{Vec3d(0, 0, 3), {}}},
+                  {"Sun", Rgbd(1.0), DirectionalLight{Vec3d(0, -1, 0.2)}}};
+  const Viewport pane{800, 500};
+  State state = lines_of(scene);
+  update(state, action::ResizePlan{pane});
+  const DisplayList list = lines_view(state, pane);
+  const Projection seen(lines_camera(state, pane), pane);
+  const auto arrow_of = [&](int light) -> const LineItem* {
+    for (const DisplayItem& item : list)
+      if (const auto* line = std::get_if<LineItem>(&item.shape);
+          line != nullptr && item.target == Target{TargetKind::light, light} && line->arrow > 0)
+        return line;
+    return nullptr;
+  };
+  CHECK(arrow_of(1) == nullptr);
+  const Vec2d centre(400, 250);
+  const std::pair<int, Vec3d> hidden[]{{0, Vec3d(0, 400, 0)}, {2, Vec3d(0, -1e4, 2e3)}};
+  for (const auto& [light, place] : hidden) {
+    const LineItem* arrow = arrow_of(light);
+    INFO(state.scene().lights[static_cast<std::size_t>(light)].name);
+    REQUIRE(arrow != nullptr);
+    const auto at = seen.point(place);
+    const Vec2d way = at ? *at - centre : seen.towards(place), along = arrow->to - arrow->from;
+    CHECK(dot(way, along) > 0.999 * length(way) * length(along));
+    for (const Vec2d& end : {arrow->from, arrow->to}) {
+      CHECK(end.x >= 0);
+      CHECK(end.y >= 0);
+      CHECK(end.x <= pane.width);
+      CHECK(end.y <= pane.height);
+    }
+    CHECK(text_with(list, state.scene().lights[static_cast<std::size_t>(light)].name) != nullptr);
+  }
+}

@@ -84,3 +84,33 @@ TEST_CASE("instances show what is in their group, where they stand") {
   CHECK(outline_of({"Crowd", Instance{"crowd", crowd}, {}}, room).size() == 12);  // a box
   CHECK(outline_of({"None", Instance{"missing", nullptr}, {}}, room).empty());
 }
+
+TEST_CASE("of groups in groups that are too many, the largest body of each is drawn, in its place") {
+  // A ball with three a third as large around it, each of them such a group again: 9,841 balls in the end.
+  auto content = std::make_shared<const GroupContent>(Group{"0", {{"Ball", Sphere<double>{{0, 0, 0}, 1}, {}}}});
+  for (int level = 1; level <= 8; ++level) {
+    std::vector<Object> objects{{"Ball", Sphere<double>{{0, 0, 0}, 1}, {}}};
+    for (int i = 0; i < 3; ++i) {
+      Object instance{"Smaller", Instance{std::to_string(level - 1), content}, {}};
+      instance.transform = {TransformStep{Scale{Vec3d(1.0 / 3)}}, TransformStep{Translate{{4.0 / 3, 0, 0}}},
+                            TransformStep{Rotate{{0, 0, 1}, 120.0 * i}}};
+      objects.push_back(instance);
+    }
+    content = std::make_shared<const GroupContent>(Group{std::to_string(level), std::move(objects)});
+  }
+  const auto lines = outline_of({"Flake", Instance{"8", content}, {}}, room);
+  std::size_t points = 0;
+  for (const Polyline& line : lines) points += line.size();
+  CHECK(points <= 6000);
+  CHECK(lines.size() > 12);
+  CHECK(lines.size() % 3 == 0);  // balls alone, no box
+  // Each circle is one of a ball of radius 1, 1/3, 1/9...
+  for (const Polyline& line : lines) {
+    Bounds<double> box;
+    for (const Vec3d& point : line) box.include(point);
+    const Vec3d size = box.max - box.min;
+    const double radius = std::max({size.x, size.y, size.z}) / 2, level = -std::log(radius) / std::log(3.0);
+    INFO(radius);
+    CHECK(level == Approx(std::round(level)).margin(0.02));
+  }
+}

@@ -178,27 +178,69 @@ class Lines {
   void draw_lights() {
     for (int i = 0; i < static_cast<int>(scene_.lights.size()); ++i) {
       const Light& light = scene_.lights[static_cast<std::size_t>(i)];
-      const std::optional<Vec3d> middle = raywalk::middle_of(light);
-      if (!middle) continue;  // infinitely far away
+      const std::optional<Vec3d> middle = place_of(light);
+      if (!middle) continue;
       const Target target{TargetKind::light, i};
       const Stroke stroke = painter_.outline(target, painter_.colours.light, 1.4);
+      if (!is_in_pane(*middle)) {
+        point_to(light, *middle, target, stroke);
+        continue;
+      }
       const std::vector<Vec3d> corners = outline_of(light);
       for (std::size_t k = 0; k < corners.size(); ++k)
         line(corners[k], corners[(k + 1) % corners.size()], stroke, target);
-      const auto at = seen_.point(*middle);
-      if (!at) continue;
+      const Vec2d at = *seen_.point(*middle);
       const double least = 6 * painter_.sizes.unit;
       const double radius = corners.empty() ? std::max(reach_of(light) * seen_.pixels_per_unit(*middle), least) : least;
-      painter_.add(CircleItem{*at, least, painter_.colours.light, std::nullopt}, target);
-      if (radius > least) painter_.add(CircleItem{*at, radius, std::nullopt, stroke}, target);
+      painter_.add(CircleItem{at, least, painter_.colours.light, std::nullopt}, target);
+      if (radius > least) painter_.add(CircleItem{at, radius, std::nullopt, stroke}, target);
       constexpr int beams = 8;
       for (int k = 0; k < beams; ++k) {
         const double angle = 2 * 3.14159265358979323846 * k / beams;
         const Vec2d out(std::cos(angle), std::sin(angle));
-        painter_.add_clipped({*at + 1.4 * least * out, *at + 2 * least * out, stroke}, target);
+        painter_.add_clipped({at + 1.4 * least * out, at + 2 * least * out, stroke}, target);
       }
-      draw_name(painter_, shown_name(painter_.state, light.name), *at, Vec2d(0, -3.4 * least));
+      draw_name(painter_, shown_name(painter_.state, light.name), at, Vec2d(0, -3.4 * least));
     }
+  }
+
+  [[nodiscard]] bool is_in_pane(const Vec3d& point) const {
+    const auto at = seen_.point(point);
+    return at && at->x >= 0 && at->y >= 0 && at->x <= painter_.viewport.width && at->y <= painter_.viewport.height;
+  }
+  /// Its middle; of a sun, a place beyond everything else. None of a light that is on no side.
+  [[nodiscard]] std::optional<Vec3d> place_of(const Light& light) const {
+    const auto* sun = std::get_if<DirectionalLight>(&light.kind);
+    if (sun == nullptr) return raywalk::middle_of(light);
+    return room_.min + (room_.max - room_.min) / 2.0 + 10 * reach_ * normalize(sun->direction);
+  }
+
+  /// A light out of sight: an arrow at the pane's border, where to turn to see it, with its name.
+  void point_to(const Light& light, const Vec3d& middle, const Target& target, const Stroke& stroke) {
+    const double unit = painter_.sizes.unit, least = 5 * unit, border = 26 * unit;
+    const Vec2d centre = Vec2d(painter_.viewport.width, painter_.viewport.height) / 2.0;
+    const Vec2d half = centre - border;
+    if (half.x <= 0 || half.y <= 0) return;
+    const auto at = seen_.point(middle);
+    const Vec2d way = at ? (*at - centre) / std::max(length(*at - centre), 1e-9) : seen_.towards(middle);
+    const double far = std::min(half.x / std::max(std::abs(way.x), 1e-9), half.y / std::max(std::abs(way.y), 1e-9));
+    Vec2d place = centre + far * way;
+    // Beside another one that is in the same direction, and off the buttons.
+    const Vec2d along = half.x / std::max(std::abs(way.x), 1e-9) < half.y / std::max(std::abs(way.y), 1e-9)
+                            ? Vec2d(0, place.y > centre.y ? -1 : 1)
+                            : Vec2d(place.x > centre.x ? -1 : 1, 0);
+    const auto is_taken = [&] {
+      const PixelRect box{place - 3 * least, place + 3 * least};
+      return std::any_of(painter_.kept_free.begin(), painter_.kept_free.end(),
+                         [&](const PixelRect& taken) { return box.overlap(taken) > 0; });
+    };
+    constexpr int tries = 40;
+    for (int i = 0; i < tries && is_taken(); ++i) place += 3 * least * along;
+    painter_.add(CircleItem{place, least, painter_.colours.light, std::nullopt}, target);
+    painter_.add(LineItem{place + 1.5 * least * way, place + 4 * least * way, stroke, 7 * unit, 1.0}, target);
+    painter_.keep_free(place, 2 * least);
+    draw_name(painter_, shown_name(painter_.state, light.name), place,
+              Vec2d(0, place.y < centre.y ? 3.6 * least : -3.6 * least));
   }
 
   /// A beam in space, with a line to each of its corners, until it is cut; then its parts, each with what it sees of a

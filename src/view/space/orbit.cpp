@@ -262,6 +262,13 @@ std::optional<std::array<Vec2d, 2>> Projection::segment(const Vec3d& from, const
   return std::array{flat(a), flat(b)};
 }
 
+Vec2d Projection::towards(const Vec3d& p) const {
+  const Vec3d at = seen(p);
+  const Vec2d way(at.x, -at.y);
+  const double size = length(way);
+  return size > 0 ? way / size : Vec2d(0, -1);
+}
+
 double Projection::pixels_per_unit(const Vec3d& at) const { return scale_ / std::max(seen(at).z, nearest_); }
 
 }  // namespace raywalk

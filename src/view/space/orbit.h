@@ -46,6 +46,8 @@ class Projection {
   [[nodiscard]] std::optional<Vec2d> point(const Vec3d& p) const;
   /// The part of a segment that is ahead of the eye, in pixels.
   [[nodiscard]] std::optional<std::array<Vec2d, 2>> segment(const Vec3d& from, const Vec3d& to) const;
+  /// The direction in the pane in which to turn towards a point that is out of sight, of unit length.
+  [[nodiscard]] Vec2d towards(const Vec3d& p) const;
   /// Pixels per unit of length at this point.
   [[nodiscard]] double pixels_per_unit(const Vec3d& at) const;
 

@@ -33,6 +33,15 @@ Polyline circle(const Vec3d& centre, const Vec3d& u, const Vec3d& v) {
   return curve;
 }
 
+/// Curves of a shape, where its object is.
+std::vector<Polyline> placed(std::vector<Polyline> curves, const std::vector<TransformStep>& transform) {
+  if (transform.empty()) return curves;
+  const Affine<double> place = affine_of(transform);
+  for (Polyline& curve : curves)
+    for (Vec3d& point : curve) point = place.point(point);
+  return curves;
+}
+
 Polyline closed(std::vector<Vec3d> corners) {
   if (!corners.empty()) corners.push_back(corners.front());
   return corners;
@@ -146,19 +155,67 @@ std::vector<Polyline> outline(const MeshShape& shape, const Bounds<double>& /*ro
   return shape.mesh ? *mesh_lines(shape.mesh) : std::vector<Polyline>();
 }
 
-/// Its objects, if few enough to be distinguished and drawn in every frame; else a box.
-std::vector<Polyline> outline(const Instance& instance, const Bounds<double>& room) {
-  if (!instance.content) return {};
-  constexpr std::size_t max_points = 4000;
-  std::vector<Polyline> curves;
-  std::size_t points = 0;
+/// What a group is drawn as where its objects are too many: the largest of them, in few points.
+std::vector<Polyline> outline_of_largest(const Instance& instance, const Bounds<double>& room) {
+  const Object* largest = nullptr;
+  double most = 0;
   for (const Object& object : instance.content->group.objects) {
-    std::vector<Polyline> own = outline_of(object, room);
-    for (const Polyline& curve : own) points += curve.size();
-    if (points > max_points) return edges_of(bounds(instance));
-    curves.insert(curves.end(), std::make_move_iterator(own.begin()), std::make_move_iterator(own.end()));
+    const Bounds<double> own = bounds(object.shape);
+    if (own.empty() || !own.bounded()) continue;
+    const Bounds<double> box = image_of(affine_of(object.transform), own);
+    if (const double size = length(box.max - box.min); size > most) largest = &object, most = size;
+  }
+  if (largest == nullptr) return {};
+  const auto* nested = std::get_if<Instance>(&largest->shape);
+  std::vector<Polyline> curves = nested != nullptr && nested->content
+                                     ? placed(outline_of_largest(*nested, room), largest->transform)
+                                     : outline_of(*largest, room);
+  constexpr std::size_t every = 3;
+  for (Polyline& curve : curves) {
+    if (curve.size() <= round_pieces) continue;
+    Polyline few;
+    for (std::size_t i = 0; i + 1 < curve.size(); i += every) few.push_back(curve[i]);
+    few.push_back(curve.back());
+    curve = std::move(few);
   }
   return curves;
+}
+
+/// Adds the objects of a group, and those of groups in it down to `depth`. False if that is too much to be told apart,
+/// and to be drawn in every frame.
+bool add_contents(const Instance& instance, int depth, const Bounds<double>& room, std::size_t& points,
+                  std::vector<Polyline>& curves) {
+  constexpr std::size_t max_points = 6000;
+  for (const Object& object : instance.content->group.objects) {
+    const auto* nested = std::get_if<Instance>(&object.shape);
+    std::vector<Polyline> own;
+    if (nested == nullptr || !nested->content) {
+      own = outline_of(object, room);
+    } else if (depth == 0) {
+      own = placed(outline_of_largest(*nested, room), object.transform);
+    } else {
+      if (!add_contents(*nested, depth - 1, room, points, own)) return false;
+      own = placed(std::move(own), object.transform);
+      curves.insert(curves.end(), std::make_move_iterator(own.begin()), std::make_move_iterator(own.end()));
+      continue;
+    }
+    for (const Polyline& curve : own) points += curve.size();
+    if (points > max_points) return false;
+    curves.insert(curves.end(), std::make_move_iterator(own.begin()), std::make_move_iterator(own.end()));
+  }
+  return true;
+}
+
+/// Its objects, as far down as there are few enough of them; else a box.
+std::vector<Polyline> outline(const Instance& instance, const Bounds<double>& room) {
+  if (!instance.content) return {};
+  constexpr int deepest = 3;
+  for (int depth = deepest; depth >= 0; --depth) {
+    std::vector<Polyline> curves;
+    std::size_t points = 0;
+    if (add_contents(instance, depth, room, points, curves)) return curves;
+  }
+  return edges_of(bounds(instance));
 }
 
 std::vector<Polyline> outline(const Triangle<double>& triangle, const Bounds<double>& /*room*/) {
@@ -168,12 +225,7 @@ std::vector<Polyline> outline(const Triangle<double>& triangle, const Bounds<dou
 }  // namespace
 
 std::vector<Polyline> outline_of(const Object& object, const Bounds<double>& room) {
-  const Affine<double> place = affine_of(object.transform);
-  std::vector<Polyline> curves = std::visit([&](const auto& shape) { return outline(shape, room); }, object.shape);
-  if (object.transform.empty()) return curves;
-  for (Polyline& curve : curves)
-    for (Vec3d& point : curve) point = place.point(point);
-  return curves;
+  return placed(std::visit([&](const auto& shape) { return outline(shape, room); }, object.shape), object.transform);
 }
 
 }  // namespace raywalk
