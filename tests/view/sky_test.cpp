@@ -90,10 +90,12 @@ TEST_CASE("where the current ray meets the sky, the ring is marked, and the sent
     const Vec2d middle = middle_of(state);
     int marks = 0;
     for (const DisplayItem& item : plan_view(state)) {
-      const auto* circle = std::get_if<CircleItem>(&item.shape);
-      if (circle == nullptr || circle->fill || item.target) continue;
-      const Vec2d at = unit(Vec2d(circle->centre.x - middle.x, middle.y - circle->centre.y));
-      marks += dot(at, flat) > 1 - 1e-9;
+      const auto* frame = std::get_if<PolygonItem>(&item.shape);
+      if (frame == nullptr || frame->fill || item.target || frame->points.size() != 4) continue;
+      Vec2d at(0.0);
+      for (const Vec2d& corner : frame->points) at += 0.25 * Vec2d(corner.x - middle.x, middle.y - corner.y);
+      const bool on_ring = std::abs(at.x) > 0.8 * middle.x || std::abs(at.y) > 0.8 * middle.y;
+      marks += on_ring && dot(unit(at), flat) > 1 - 1e-4;
     }
     CHECK(marks == 1);
     const Message said = describe(state.scene(), timeline, i + 1);

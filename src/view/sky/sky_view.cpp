@@ -1,5 +1,6 @@
 #include "trace/sky_light.h"
 #include "view/plan/painter.h"
+#include "view/plan/plan_geometry.h"
 #include "view/plan/plan_view.h"
 #include "view/state.h"
 #include "view/text/text.h"
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace raywalk {
@@ -94,7 +96,7 @@ std::optional<SeenSky> seen_sky(const Painter& painter) {
   return sky;
 }
 
-/// Where the current ray met the sky, if it did, as seen in the plan; whole, though the ring runs along the edge.
+/// Where on the ring the current ray met the sky, if it did, as seen in the plan.
 std::optional<Vec2d> place_met(const Painter& painter, const SeenSky& sky) {
   const Timeline& timeline = *painter.state.walk.timeline;
   const int current = timeline.current_ray(painter.state.walk.position);
@@ -103,7 +105,18 @@ std::optional<Vec2d> place_met(const Painter& painter, const SeenSky& sky) {
   const bool leaves = ray.formed && ray.endless && ray.object < 0 && ray.found_at <= painter.state.walk.position;
   const Vec2d flat(ray.direction.x, ray.direction.y);
   if (!leaves || !(length(flat) > 1e-9 * length(ray.direction))) return std::nullopt;
-  return sky.ring.at(sky.ring.towards(flat), sky.width / 2);
+  return sky.ring.towards(flat);
+}
+
+/// A frame around a stretch of the ring: its middle lies in this direction.
+PolygonItem ring_mark(const SeenSky& sky, const Vec2d& along) {
+  const double half = 0.9 * sky.width, beyond = 0.3 * sky.width;
+  const double turn = half / length(along);
+  PolygonItem frame;
+  for (const auto& [side, inwards] : {std::pair{-turn, sky.width + beyond}, std::pair{-turn, -beyond},
+                                      std::pair{turn, -beyond}, std::pair{turn, sky.width + beyond}})
+    frame.points.push_back(sky.ring.at(sky.ring.towards(turned(along, Vec2d(0.0), side)), inwards));
+  return frame;
 }
 
 }  // namespace
@@ -129,7 +142,8 @@ void SkyRoom::keep_free_in_plan(Painter& painter) {
   }
   for (int i = 0; i < count; ++i)
     painter.frame.push_back(sky->is_sampled ? sky->at_curve(i) : sky->ring.at(sky->from(i), sky->width));
-  if (const auto at = place_met(painter, *sky)) painter.keep_free(*at, 0.8 * sky->width);
+  if (const auto along = place_met(painter, *sky))
+    painter.keep_free(ring_mark(*sky, *along).points.front(), 1.2 * sky->width);
 }
 
 void SkyRoom::draw_in_plan(Painter& painter) {
@@ -155,8 +169,11 @@ void SkyRoom::draw_in_plan(Painter& painter) {
     for (int i = 0; i <= count; ++i) chance.points.push_back(sky->at_curve(i));
     painter.add(chance);
   }
-  if (const auto at = place_met(painter, *sky))
-    painter.add(CircleItem{*at, 0.8 * sky->width, std::nullopt, painter.stroke(painter.colours.ink, 2)});
+  if (const auto along = place_met(painter, *sky)) {
+    PolygonItem mark = ring_mark(*sky, *along);
+    mark.stroke = painter.stroke(painter.colours.next, 2);
+    painter.add(std::move(mark));
+  }
   // Inside of the ring and of the curve: in the middle of an edge, else nearer to a corner.
   std::vector<Vec2d> places;
   const double inwards = ring.b - sky->width - sky->tallest - 12 * unit;
