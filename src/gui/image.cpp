@@ -155,9 +155,10 @@ void image_tab(const Ui& ui, const Rect& where, TabContext& context) {
   const float legend = heat == Heat::none ? 0 : 2 * line + ui.px(6);
   Rect room{where.x + side, where.y + ui.px(2), where.width - 2 * side, where.height - line - ui.px(10) - legend};
   Rect image = fitted(room, picture.width, picture.height, ui.fonts.density);
-  // A picture that a lesson shows large has all the room, as long as there are no rays.
-  const bool alone = has_plans_place(ui.state) && ui.state.walk.timeline->current_pixel(ui.state.walk.position) < 0;
-  if (ui.state.picture.tree_beside && ui.state.walk.mode == Mode::trace && !alone) {
+  // As long as there are no rays, and so no tree, the picture has all the room.
+  const bool walks =
+      ui.state.walk.mode == Mode::trace && ui.state.walk.timeline->current_pixel(ui.state.walk.position) >= 0;
+  if (ui.state.picture.tree_beside && walks) {
     const PictureRooms rooms = with_tree(ui, room, picture, legend);
     room = rooms.picture;
     image = fitted(room, picture.width, picture.height, ui.fonts.density);

@@ -128,6 +128,7 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   const bool embedded = state.appearance.embedded;
   LayoutWishes wishes{.width = io.DisplaySize.x, .height = io.DisplaySize.y, .unit = unit, .bare = embedded};
   wishes.code = code_height(with);
+  wishes.code_part = static_cast<float>(state.appearance.code_part);
   wishes.code_width = code_width(with);
   wishes.bar_width = bar_width(with);
   const bool helps = state.walk.mode == Mode::help;
@@ -145,37 +146,14 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   // Heights that depend on a width, which does not depend on them. The strip is as high in Move, too: the plan stays.
   wishes.transport = transport_height(with, lay_out(wishes).plan.width);
   if (!helps) wishes.strip = legend_height(with, lay_out(wishes).strip.width);
-  layout_ = lay_out(wishes);
-
-  // Help takes the plan's place and the strip's. The walk's sentence and buttons, and the code, are always there.
-  Rect help{layout_.plan.x, layout_.plan.y, layout_.plan.width, layout_.strip.bottom() - layout_.plan.y};
-  const bool folds = wishes.focus;
+  wishes.help = helps;
   // An upright window has less room in the plan's place than beside or below the code.
   const bool upright = is_upright(io.DisplaySize.x, io.DisplaySize.y);
-  if (helps && upright && !layout_.fronts.empty()) {  // a telephone has no room for the code beside it
-    layout_.transport.y = io.DisplaySize.y - layout_.transport.height;
-    help.height = layout_.transport.y - help.y;
-    layout_.fronts = layout_.side = layout_.tabs = layout_.lesson = {};
-  }
-  const bool in_plans_place = state.appearance.exchanges() != (has_plans_place(state) && !upright);
-  if (in_plans_place && !helps && !folds && !layout_.tabs.empty()) std::swap(layout_.plan, layout_.tabs);
-  // In one column the lesson stands where the tabs would.
-  const bool in_lessons_column =
-      !layout_.fronts.empty() && wishes.front == Front::lesson && !helps && !folds && lesson_enlarges(state);
-  if (in_lessons_column) {
-    layout_.tabs = {layout_.plan.x, layout_.plan.y, layout_.plan.width, layout_.strip.bottom() - layout_.plan.y};
-    layout_.plan = layout_.strip = {layout_.tabs.x, layout_.tabs.bottom(), layout_.tabs.width, 0};
-  }
-  // Upright, what wants much room has the plan's too.
-  const bool fills = upright && !layout_.fronts.empty() && !layout_.tabs.empty() && state.appearance.tab.large &&
-                     !in_plans_place && !helps && !folds && wishes.band == 0 && wishes.effects == 0;
-  if (fills) {
-    layout_.transport.y = layout_.plan.y;
-    layout_.plan = layout_.strip = {layout_.plan.x, layout_.plan.y, layout_.plan.width, 0};
-    layout_.fronts.y = layout_.transport.bottom();
-    layout_.tabs.y = layout_.fronts.bottom();
-    layout_.tabs.height = io.DisplaySize.y - layout_.tabs.y;
-  }
+  wishes.exchanged = state.appearance.exchanges() != (has_plans_place(state) && !upright);
+  wishes.enlarged = lesson_enlarges(state);
+  wishes.large_tab = state.appearance.tab.large;
+  layout_ = lay_out(wishes);
+  const bool folds = wishes.focus, tab_alone = !layout_.fronts.empty() && wishes.front == Front::lesson;
 
   if (folds && !asks && state.lessons.shown)
     folded_pane(with, "folded-lesson", layout_.lesson);
@@ -201,7 +179,7 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   if (aside_.frames > 0 && shown_menu_ < 0) wanted_menu_ = std::exchange(aside_, {}).neighbour;
   if (aside_.frames > 0) --aside_.frames;
   if (helps) {
-    help_pane(with, help, std::exchange(scroll_help_, 0.0f));
+    help_pane(with, layout_.help, std::exchange(scroll_help_, 0.0f));
   } else {
     if (!layout_.plan.empty()) {
       if (shows_lines(state)) {
@@ -227,8 +205,9 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
     code_pane(with, layout_.side);
   }
   if (!embedded && !folds)
-    tabs_.draw(with, layout_.tabs, in_lessons_column, picture, std::exchange(open_settings_, false),
+    tabs_.draw(with, layout_.tabs, tab_alone, picture, std::exchange(open_settings_, false),
                std::exchange(open_knobs_, false));
+  divider_pane(with, layout_);
   breakpoints_.draw(with, layout_.side, std::exchange(open_breakpoints_, false));
   ImGui::End();
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace raywalk {
 
@@ -10,7 +11,10 @@ namespace {
 // The part of `space` for a pane that wants `wish`.
 float take(float space, float wish) { return std::clamp(std::round(wish), 0.0f, std::max(space, 0.0f)); }
 
+constexpr float tight_code = 0.88f;   ///< the code's lines can stand closer, for the others' sake
 constexpr float three_columns = 900;  ///< the least width of lesson, plan and code beside each other, at scale 1
+
+constexpr float grip = 8;  ///< what can be gripped between two panes, at scale 1
 
 float hairline(const LayoutWishes& wishes) { return std::max(std::round(wishes.unit), 1.0f); }  // between neighbours
 
@@ -50,7 +54,6 @@ Layout lay_out_upright(const LayoutWishes& wishes) {
   const float unit = wishes.unit, width = std::max(wishes.width, 0.0f), height = std::max(wishes.height, 0.0f);
   const float line = hairline(wishes);
   constexpr float least_tabs = 220, least_two = 540;  // widths, in units at scale 1
-  constexpr float tight_code = 0.88f;                 // its lines can stand closer, for the plan's sake
   const bool one_column = width < std::max(wishes.code_width + line + least_tabs * unit, least_two * unit);
   Layout layout;
   // In two lines, where one has no room for all.
@@ -83,25 +86,8 @@ Layout lay_out_upright(const LayoutWishes& wishes) {
   return layout;
 }
 
-}  // namespace
-
-bool is_upright(float width, float height) { return height > 1.15f * width; }
-
-float shrink_to_fit(float width, float height, float unit, bool lesson) {
-  // The least of a window, in units at scale 1.
-  struct Least {
-    float width, height;
-  };
-  const bool beside = lesson && height >= low_window * unit;
-  const Least least = is_upright(width, height) ? Least{400, 600} : Least{beside ? three_columns : 640, 360};
-  const float part = std::min(width / (least.width * unit), height / (least.height * unit));
-  // In steps, because each needs new fonts. Anything smaller is illegible.
-  constexpr float steps = 32, smallest = 0.3f;
-  return std::clamp(std::floor(part * steps) / steps, smallest, 1.0f);
-}
-
-Layout lay_out(const LayoutWishes& wishes) {
-  if (is_upright(wishes.width, wishes.height)) return lay_out_upright(wishes);
+// Beside the plan: a column of code and tabs, of which one is below the other.
+Layout lay_out_wide(const LayoutWishes& wishes) {
   const float unit = wishes.unit, width = std::max(wishes.width, 0.0f), height = std::max(wishes.height, 0.0f);
   const float line = hairline(wishes);
   Layout layout;
@@ -127,11 +113,71 @@ Layout lay_out(const LayoutWishes& wishes) {
 
   // The tabs need room for a picture, and get what the code does not need.
   const float least_tabs = std::clamp(below * 0.32f, 170 * unit, 250 * unit);
-  const float code =
-      wishes.bare ? below : take(below, std::min(wishes.code, std::max(below * 0.5f, below - least_tabs)));
+  const float tabs = std::clamp(below - tight_code * wishes.code, least_tabs, std::max(below * 0.36f, least_tabs));
+  const float code = wishes.bare            ? below
+                     : wishes.code_part > 0 ? take(below, wishes.code_part * below)
+                                            : take(below, std::min(wishes.code, std::max(below * 0.5f, below - tabs)));
   layout.side = {width - side, top, side, code};
   const float tabs_top = std::min(layout.side.bottom() + line, height);
   layout.tabs = {width - side, tabs_top, side, height - tabs_top};
+  if (!wishes.bare) layout.divider = {width - side, tabs_top - line / 2 - grip / 2 * unit, side, grip * unit};
+  return layout;
+}
+
+// In one column the lesson stands where the tabs would: what it is about has the plan's place.
+void show_beside_lesson(Layout& layout) {
+  layout.tabs = {layout.plan.x, layout.plan.y, layout.plan.width, layout.strip.bottom() - layout.plan.y};
+  layout.plan = layout.strip = {layout.tabs.x, layout.tabs.bottom(), layout.tabs.width, 0};
+}
+
+// What stands in the tabs has the plan's room too.
+void fill_with_tabs(float height, Layout& layout) {
+  layout.transport.y = layout.plan.y;
+  layout.plan = layout.strip = {layout.plan.x, layout.plan.y, layout.plan.width, 0};
+  layout.fronts.y = layout.transport.bottom();
+  layout.tabs.y = layout.fronts.bottom();
+  layout.tabs.height = height - layout.tabs.y;
+}
+
+// A telephone has no room for the code beside the help text.
+void fill_with_help(float height, Layout& layout) {
+  layout.transport.y = height - layout.transport.height;
+  layout.help.height = layout.transport.y - layout.help.y;
+  layout.fronts = layout.side = layout.tabs = layout.lesson = {};
+}
+
+}  // namespace
+
+bool is_upright(float width, float height) { return height > 1.15f * width; }
+
+float shrink_to_fit(float width, float height, float unit, bool lesson) {
+  // The least of a window, in units at scale 1.
+  struct Least {
+    float width, height;
+  };
+  const bool beside = lesson && height >= low_window * unit;
+  const Least least = is_upright(width, height) ? Least{400, 600} : Least{beside ? three_columns : 640, 360};
+  const float part = std::min(width / (least.width * unit), height / (least.height * unit));
+  // In steps, because each needs new fonts. Anything smaller is illegible.
+  constexpr float steps = 32, smallest = 0.3f;
+  return std::clamp(std::floor(part * steps) / steps, smallest, 1.0f);
+}
+
+Layout lay_out(const LayoutWishes& wishes) {
+  const bool upright = is_upright(wishes.width, wishes.height);
+  Layout layout = upright ? lay_out_upright(wishes) : lay_out_wide(wishes);
+  const bool one_column = !layout.fronts.empty();
+  if (wishes.help) {
+    layout.help = {layout.plan.x, layout.plan.y, layout.plan.width, layout.strip.bottom() - layout.plan.y};
+    if (upright && one_column) fill_with_help(wishes.height, layout);
+    return layout;
+  }
+  if (wishes.focus) return layout;
+  if (wishes.exchanged && !layout.tabs.empty()) std::swap(layout.plan, layout.tabs);
+  if (one_column && wishes.front == Front::lesson && wishes.enlarged) show_beside_lesson(layout);
+  const bool fills = upright && one_column && wishes.large_tab && !wishes.exchanged;
+  if (fills && !layout.tabs.empty() && wishes.front == Front::tabs && wishes.band == 0 && wishes.effects == 0)
+    fill_with_tabs(wishes.height, layout);
   return layout;
 }
 

@@ -27,7 +27,9 @@ struct Layout {
   Rect transport;  ///< the step's sentence, buttons and scrub bar
   Rect side;       ///< the code, or the properties of the selection
   Rect tabs;       ///< 3-D image, ray tree, stack, legend: below the code
+  Rect help;       ///< in the plan's place and the strip's, while help is shown
   Rect folded;     ///< in place of both, while the plan is in focus
+  Rect divider;    ///< between code and tabs where one is below the other, and the height of both can be chosen
   Rect fronts;     ///< in a shared column: what chooses the one of lesson, side and tabs below; else empty
 };
 
@@ -45,6 +47,11 @@ struct LayoutWishes {
   bool focus = false;                ///< code and tabs are folded to an edge
   Front front = Front::code;         ///< in one column; not the lesson unless it is shown
   bool bare = false;                 ///< neither bar nor strip nor tabs
+  bool help = false;                 ///< the help text is shown
+  bool exchanged = false;            ///< what stands in the tabs and the plan change places
+  bool enlarged = false;             ///< the open lesson is about what stands in the tabs
+  bool large_tab = false;            ///< what stands in the tabs wants much room
+  float code_part = 0;               ///< of the height of code and tabs beside the plan; 0: what the code wants
 };
 
 /// The width of an edge to which panes are folded, in units at scale 1.

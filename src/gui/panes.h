@@ -182,6 +182,9 @@ void cost_knobs_popup(const Ui& ui, FormMemory& memory);
 /// A field for the scene's epsilon of naive rays.
 void epsilon_row(const Ui& ui, Form& form);
 
+/// Between code and tabs: dragging it gives one of them the other's room, and a double-click each its own again.
+void divider_pane(const Ui& ui, const Layout& layout);
+
 /// In one column: what stands below the walk.
 void fronts_pane(const Ui& ui, const Rect& where, Front front, bool with_lesson);
 

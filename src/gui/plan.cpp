@@ -26,6 +26,7 @@ bool can_be_held(const State& state, TargetKind kind) {
     case TargetKind::edge:
     case TargetKind::rotation:
     case TargetKind::light:
+    case TargetKind::light_radius:
       return state.walk.mode == Mode::move;
     case TargetKind::cell:
     case TargetKind::ray:

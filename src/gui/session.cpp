@@ -40,10 +40,15 @@ Result<void> choose(const std::string& name, const char* what, Choice& to) {
 }  // namespace
 
 Settings settings_of(const State& state) {
-  return {state.appearance.theme,     state.appearance.ui_scale,
-          state.appearance.tab,       std::string(state.appearance.language.code()),
-          state.walk.tweens,          state.appearance.english_code,
-          state.appearance.exchanged, state.link.page};
+  return {state.appearance.theme,
+          state.appearance.ui_scale,
+          state.appearance.tab,
+          std::string(state.appearance.language.code()),
+          state.walk.tweens,
+          state.appearance.english_code,
+          state.appearance.exchanged,
+          state.appearance.code_part,
+          state.link.page};
 }
 
 namespace {
@@ -57,9 +62,10 @@ nlohmann::json settings_in(const std::string& state_dir) {
 nlohmann::json json_of(const Settings& settings) {
   nlohmann::json exchanged = nlohmann::json::array();
   for (const Tab& tab : settings.exchanged) exchanged.push_back(tab.word);
-  return {{"theme", name_of(settings.theme)}, {"tab", name_of(settings.tab)},          {"ui_scale", settings.ui_scale},
-          {"tweens", settings.tweens},        {"english_code", settings.english_code}, {"exchanged", exchanged},
-          {"language", settings.language},    {"link_page", settings.link_page}};
+  return {
+      {"theme", name_of(settings.theme)}, {"tab", name_of(settings.tab)},          {"ui_scale", settings.ui_scale},
+      {"tweens", settings.tweens},        {"english_code", settings.english_code}, {"exchanged", exchanged},
+      {"language", settings.language},    {"link_page", settings.link_page},       {"code_part", settings.code_part}};
 }
 
 }  // namespace
@@ -78,6 +84,8 @@ Settings read_settings(const std::string& state_dir) {
   settings.link_page = word("link_page");
   if (const auto at = json.find("ui_scale"); at != json.end() && at->is_number())
     settings.ui_scale = std::clamp(at->get<double>(), min_ui_scale, max_ui_scale);
+  if (const auto at = json.find("code_part"); at != json.end() && at->is_number() && at->get<double>() > 0)
+    settings.code_part = std::clamp(at->get<double>(), min_code_part, max_code_part);
   if (const auto at = json.find("tweens"); at != json.end() && at->is_boolean()) settings.tweens = at->get<bool>();
   if (const auto at = json.find("english_code"); at != json.end() && at->is_boolean())
     settings.english_code = at->get<bool>();
@@ -149,6 +157,7 @@ Result<State> start(const GuiOptions& options, const Stop& stop) {
   state.appearance.theme = settings.theme;
   state.appearance.english_code = settings.english_code;
   state.appearance.exchanged = settings.exchanged;
+  state.appearance.code_part = settings.code_part;
   state.appearance.ui_scale =
       options.ui_scale > 0 ? std::clamp(options.ui_scale, min_ui_scale, max_ui_scale) : settings.ui_scale;
   state.appearance.tab = settings.tab;

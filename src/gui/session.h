@@ -23,6 +23,7 @@ struct Settings {
   bool tweens = true;
   bool english_code = false;
   std::vector<Tab> exchanged{};
+  double code_part = 0;
   std::string link_page{};  ///< where links lead to; empty: as LinkRoom has it
   friend bool operator==(const Settings&, const Settings&) = default;
 };

@@ -25,11 +25,33 @@ void fronts_pane(const Ui& ui, const Rect& where, Front front, bool with_lesson)
   if (with_lesson) choice(Front::lesson, "front-lesson", "command.lessons.label");
 }
 
+void divider_pane(const Ui& ui, const Layout& layout) {
+  if (layout.divider.empty()) return;
+  const Pane pane(ui, "divider", layout.divider, ui.colours.panel.with_alpha(0), {0, 0}, ImGuiWindowFlags_NoScrollbar);
+  if (!pane) return;
+  ImGui::SetCursorScreenPos(corner(layout.divider));
+  ImGui::InvisibleButton("divider", size(layout.divider));
+  ui.publish("divider");
+  const bool held = ImGui::IsItemActive(), pointed_at = ImGui::IsItemHovered();
+  if (held || pointed_at) {
+    ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
+    const float y = layout.divider.y + layout.divider.height / 2;
+    ImGui::GetWindowDrawList()->AddLine({layout.divider.x, y}, {layout.divider.right(), y},
+                                        to_imgui(ui.colours.hovered), std::max(ui.px(2), 1.0f));
+  }
+  if (!held) tooltip(ui, "divider", ui.say("code.divider_hint"));
+  const float whole = ImGui::GetIO().DisplaySize.y - layout.side.y;
+  if (pointed_at && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
+    ui.act(action::DividePanes{0});
+  else if (held && ImGui::IsMouseDragging(ImGuiMouseButton_Left) && whole > 0)
+    ui.act(action::DividePanes{static_cast<double>((ImGui::GetIO().MousePos.y - layout.side.y) / whole)});
+}
+
 namespace {
 
 // Which is shown; returns how high that is.
 float tab_choice(const Ui& ui, const Rect& where, float margin) {
-  const float height = ui.px(32);
+  const float height = ui.px(where.height < ui.px(240) ? 27 : 32);  // a low pane needs the room for what it shows
   ImGui::SetCursorScreenPos({where.x + margin, where.y + ui.px(7)});
   const float tabs = choice_in_lines(ui, commands_in(Section::tabs), height, ui.fonts.small,
                                      where.width - 2 * margin - height - ui.px(4));

@@ -4,6 +4,7 @@
 #include "gui/widgets.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,12 +21,12 @@ float overlap(const Rect& a, const Rect& b) {
          std::max(std::min(a.bottom(), b.bottom()) - std::max(a.y, b.y), 0.0f);
 }
 
-// A place of this size near `item`: below, above, to the right or the left of it, where it covers the least of what was
-// drawn in this frame and is no higher than a button or a few lines.
+// A place of this size near `item`: below, above, to the right or the left of it, somewhat higher or lower there, where
+// it covers the least of what was drawn in this frame and is no higher than a button or a few lines.
 Rect beside(const Ui& ui, const Rect& item, ImVec2 size) {
   const ImVec2 whole = ImGui::GetIO().DisplaySize;
   const float gap = ui.px(6), step = ui.px(14), high = ui.px(highest), dear = ui.px(40);
-  constexpr float grave = 200;  // rather far away than over a button
+  constexpr float grave = 200, touched = 100;  // rather far away than over a button, however little of it
   std::vector<Rect> others;
   for (const auto& [name, rect] : ui.items)
     if (rect.height <= high && !rect.empty()) others.push_back(rect);
@@ -35,7 +36,8 @@ Rect beside(const Ui& ui, const Rect& item, ImVec2 size) {
     const Rect place{std::clamp(x, 0.0f, std::max(whole.x - size.x, 0.0f)),
                      std::clamp(y, 0.0f, std::max(whole.y - size.y, 0.0f)), size.x, size.y};
     float covered = dear * away + 1e6f * std::min(overlap(place, item), 1.0f);
-    for (const Rect& other : others) covered += grave * overlap(place, other);
+    for (const Rect& other : others)
+      if (const float shared = overlap(place, other); shared > 0) covered += grave * (touched + shared);
     if (covered >= least) return;
     least = covered;
     best = place;
@@ -47,8 +49,11 @@ Rect beside(const Ui& ui, const Rect& item, ImVec2 size) {
       const float x = item.x + part * (item.width - size.x), y = item.y + part * (item.height - size.y);
       try_at(x, item.bottom() + away, away);
       try_at(x, item.y - away - size.y, away);
-      try_at(item.right() + away, y, away);
-      try_at(item.x - away - size.x, y, away);
+      for (const float rows : {0.0f, -1.0f, 1.0f, -2.0f, 2.0f}) {
+        const float down = rows * (size.y + gap), far = away + std::abs(down);
+        try_at(item.right() + away, y + down, far);
+        try_at(item.x - away - size.x, y + down, far);
+      }
     }
   }
   return best;

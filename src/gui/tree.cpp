@@ -18,7 +18,7 @@ namespace raywalk {
 namespace {
 
 // Lengths at scale 1.
-constexpr float least_radius = 8, max_radius = 14, least_column = 22, max_column = 140, least_level = 30,
+constexpr float least_radius = 7, max_radius = 14, least_column = 20, max_column = 140, least_level = 25,
                 max_level = 96, halo = 5, label_pad = 3;
 
 Vec2d to_view(ImVec2 p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
@@ -84,14 +84,20 @@ struct TreeLabel {
   Rect where;
 };
 
+struct TreeLabels {
+  std::vector<TreeLabel> by_nodes;
+  std::string caption;  ///< of the current node or one pointed at: what has no room beside it
+};
+
 // What nodes hit: below them, in at most two lines, where the tree has room for that; always of the current one and of
-// one pointed at. None covers another.
-std::vector<TreeLabel> labels_of(const Ui& ui, const TreePanel& tree, const std::vector<ImVec2>& places,
-                                 const Spacing& spacing, const Rect& seen) {
+// one pointed at. None covers another, nor a node.
+TreeLabels labels_of(const Ui& ui, const TreePanel& tree, const std::vector<ImVec2>& places, const Spacing& spacing,
+                     const Rect& seen) {
   push_font(ui.fonts.small);
   const float line = ImGui::GetFontSize(), column = spacing.column - ui.px(6);
   const TreeLabelRoom room{seen, places, spacing.radius, ui.px(4)};
   TreeLabelRoom round_halo{seen, places, spacing.radius, ui.px(halo), ui.px(label_pad)};
+  const TreeLabelRoom bare_nodes{seen, places, spacing.radius - ui.px(1)};  // their rings have a background
   std::vector<std::pair<ImVec2, ImVec2>> links;
   for (std::size_t i = 0; i < places.size(); ++i)
     if (const int parent = tree.nodes[i].parent; parent >= 0)
@@ -112,7 +118,8 @@ std::vector<TreeLabel> labels_of(const Ui& ui, const TreePanel& tree, const std:
     }
     return lines;
   };
-  std::vector<TreeLabel> labels;
+  TreeLabels all;
+  std::vector<TreeLabel>& labels = all.by_nodes;
   const auto is_free = [&](const Rect& where) {
     return std::none_of(labels.begin(), labels.end(),
                         [&](const TreeLabel& each) { return labels_cross(each.where, where); });
@@ -154,8 +161,12 @@ std::vector<TreeLabel> labels_of(const Ui& ui, const TreePanel& tree, const std:
     TreeLabel label = breaks_twice ? TreeLabel{three, in_three}
                       : breaks     ? TreeLabel{two, in_two}
                                    : TreeLabel{one, in_one};
-    // Half a word says nothing; the node says it when pointed at.
-    if (is_free(label.where) && is_seen(label.where, round_halo)) labels.push_back(std::move(label));
+    const bool has_room =
+        is_free(label.where) && is_seen(label.where, round_halo) && !covers_node(label.where, bare_nodes);
+    if (has_room)
+      labels.push_back(std::move(label));
+    else if (all.caption.empty() || node.hovered)
+      all.caption = node.symbol + "   " + node.label;
   }
   const float space = spacing.level - 2 * spacing.radius - 2 * room.gap;
   for (std::size_t i = 0; i < places.size() && spacing.column >= ui.px(64) && spacing.level >= ui.px(58); ++i) {
@@ -168,7 +179,7 @@ std::vector<TreeLabel> labels_of(const Ui& ui, const TreePanel& tree, const std:
     if (is_free(where)) labels.push_back({text, where});
   }
   pop_font();
-  return labels;
+  return all;
 }
 
 // Each line in the middle of the label's place.
@@ -187,6 +198,20 @@ void draw_label(const Ui& ui, const TreeLabel& label) {
     y += ImGui::GetFontSize();
     at = end + 1;
   }
+  pop_font();
+}
+
+// Along the bottom of what is seen, over links and nodes that are partly out of sight there.
+void draw_caption(const Ui& ui, const std::string& caption, const Rect& seen) {
+  if (caption.empty()) return;
+  push_font(ui.fonts.small);
+  const float height = ImGui::GetFontSize() + ui.px(4);
+  const std::string what = shortened(caption, seen.width - ui.px(8));
+  const ImVec2 extent = ImGui::CalcTextSize(what.c_str());
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddRectFilled({seen.x, seen.bottom() - height}, {seen.right(), seen.bottom()}, to_imgui(ui.colours.panel));
+  draw.AddText({std::round(seen.x + (seen.width - extent.x) / 2), std::round(seen.bottom() - height + ui.px(2))},
+               to_imgui(ui.colours.text), what.c_str());
   pop_font();
 }
 
@@ -221,7 +246,9 @@ int ray_tree(const Ui& ui, const Rect& where, int& centred_on) {
     if (width > seen.width) seen.height -= bar;
     const float level = std::clamp((seen.height - ui.px(1) - below) / levels, ui.px(least_level), ui.px(max_level));
     const float radius = std::clamp(0.36f * std::min(column, level), ui.px(least_radius), ui.px(max_radius));
-    const float height = level * levels + below;
+    // Scrolled by whole levels: the one under way in the middle, none cut at the top.
+    const float fit = std::max(std::floor((seen.height - ui.px(1) - below) / level), 1.0f);
+    const float height = std::max((levels - fit) * level + seen.height - ui.px(1), level * levels + below);
     const ImVec2 origin = ImGui::GetCursorScreenPos();
     const float indent = std::max((seen.width - width) / 2, 0.0f) + inset + column / 2;
     const auto place = [&](const TreeNode& node) {
@@ -246,14 +273,16 @@ int ray_tree(const Ui& ui, const Rect& where, int& centred_on) {
       draw_node(ui, node, at, {column, level, radius});
       if (node.current && centred_on != node.ray) {
         centred_on = node.ray;
-        // With its label, below it.
         ImGui::SetScrollX(std::max(at.x - origin.x - seen.width / 2, 0.0f));
-        ImGui::SetScrollY(std::max(at.y + below / 2 - origin.y - seen.height / 2, 0.0f));
+        const float row = static_cast<float>(node.y);
+        ImGui::SetScrollY(level * std::clamp(row - std::floor(fit / 2), 0.0f, std::max(levels - fit, 0.0f)));
       }
     }
     std::vector<ImVec2> places;
     for (const TreeNode& node : tree.nodes) places.push_back(place(node));
-    for (const TreeLabel& label : labels_of(ui, tree, places, {column, level, radius}, seen)) draw_label(ui, label);
+    const TreeLabels labels = labels_of(ui, tree, places, {column, level, radius}, seen);
+    for (const TreeLabel& label : labels.by_nodes) draw_label(ui, label);
+    draw_caption(ui, labels.caption, seen);
     ImGui::SetCursorScreenPos(origin);
     ImGui::Dummy({width, height});
   }

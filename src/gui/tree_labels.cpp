@@ -20,18 +20,26 @@ bool crosses(const Rect& box, ImVec2 from, ImVec2 to) {
   return inside(from.x, to.x - from.x, box.x, box.right()) && inside(from.y, to.y - from.y, box.y, box.bottom());
 }
 
+/// How high a label covers this node, as a height; 0: it does not.
+float covered_of_node(const Rect& label, ImVec2 node, float radius) {
+  const float dx = std::abs(node.x - label.x - label.width / 2), dy = std::abs(node.y - label.y - label.height / 2);
+  const float half_height = label.height / 2 + radius;
+  return dx < label.width / 2 + radius && dy < half_height ? half_height - dy : 0;
+}
+
 }  // namespace
+
+bool covers_node(const Rect& label, const TreeLabelRoom& room) {
+  return std::any_of(room.nodes.begin(), room.nodes.end(),
+                     [&](const ImVec2& node) { return covered_of_node(label, node, room.radius) > 0; });
+}
 
 float covered_by_label(const Rect& label, const TreeLabelRoom& room) {
   const Rect& seen = room.seen;
   const float across = std::max({seen.x - label.x, label.right() - seen.right(), 0.0f});
   const float down = std::max({seen.y - label.y, label.bottom() - seen.bottom(), 0.0f});
   float covered = 2 * (across + down);  // a letter beyond the border is lost, one over a node is not
-  const float half_width = label.width / 2 + room.radius, half_height = label.height / 2 + room.radius;
-  for (const ImVec2& node : room.nodes) {
-    const float dx = std::abs(node.x - label.x - label.width / 2), dy = std::abs(node.y - label.y - label.height / 2);
-    if (dx < half_width && dy < half_height) covered += half_height - dy;
-  }
+  for (const ImVec2& node : room.nodes) covered += covered_of_node(label, node, room.radius);
   // A line can be followed past a word, a node cannot.
   for (const auto& [from, to] : room.links)
     if (crosses(label, from, to)) covered += label.height / 8;

@@ -24,6 +24,9 @@ struct TreeLabelRoom {
 /// under it; 0: nothing.
 [[nodiscard]] float covered_by_label(const Rect& label, const TreeLabelRoom& room);
 
+/// Whether it stands over a node.
+[[nodiscard]] bool covers_node(const Rect& label, const TreeLabelRoom& room);
+
 /// The label's place by the node at `at`: below it, unless that covers more than a place beside it, above it, or
 /// towards one side.
 [[nodiscard]] Rect label_place(ImVec2 at, ImVec2 extent, const TreeLabelRoom& room);

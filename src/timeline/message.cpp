@@ -130,7 +130,9 @@ class Describer {
         if (formed.light == light_of_sky)
           return {"walk.photon_from_sky", {{"power", max_component(formed.throughput)}}};
         if (formed.light < 0) return {"walk.photon_from_object", {{"power", max_component(formed.throughput)}}};
-        return {"walk.photon_emitted", {{"light", light(formed.light)}, {"power", max_component(formed.throughput)}}};
+        return {middle_of(scene_.lights[static_cast<std::size_t>(formed.light)]) ? "walk.photon_emitted"
+                                                                                 : "walk.photon_emitted_far",
+                {{"light", light(formed.light)}, {"power", max_component(formed.throughput)}}};
       case RayKind::beam:
         break;  // told by beam_message and cone_message
     }

@@ -1,5 +1,6 @@
 #include "view/action.h"
 #include "view/document/document.h"
+#include "view/plan/plan_geometry.h"
 #include "view/plan/pointer.h"
 #include "view/walk/walk.h"
 
@@ -108,6 +109,8 @@ bool exists(const State& state, const Target& target) {
       return shape(std::in_place_type<Prism<double>>) != nullptr;
     case TargetKind::light:
       return within(scene.lights.size());
+    case TargetKind::light_radius:
+      return within(scene.lights.size()) && has_radius(scene.lights[static_cast<std::size_t>(target.index)]);
     case TargetKind::ray:
       return within(state.walk.timeline->rays().size());
   }

@@ -110,6 +110,25 @@ TEST_CASE("at 1280 x 720 every pane has room for what it shows") {
   CHECK(layout.tabs.width > 400);
 }
 
+TEST_CASE("the room of code and tabs is divided as it was chosen, and gripped between them") {
+  raywalk::LayoutWishes wishes{1280, 720, 1, 134, 413, 300};
+  for (const float part : {0.15f, 0.4f, 0.85f}) {
+    wishes.code_part = part;
+    const Layout layout = raywalk::lay_out(wishes);
+    CHECK(faults(layout, 1280, 720).empty());
+    CHECK(layout.side.height == Approx(part * (720 - layout.side.y)).margin(1));
+    CHECK(layout.divider.y < layout.side.bottom());
+    CHECK(layout.divider.bottom() > layout.tabs.y);
+    CHECK(layout.divider.height >= 8);
+  }
+  // Where they are beside each other, or one at a time, there is nothing to divide.
+  wishes.width = 700, wishes.height = 1200;
+  CHECK(raywalk::lay_out(wishes).divider.empty());
+  wishes = {1280, 720, 1, 134, 413, 300};
+  wishes.focus = true;
+  CHECK(raywalk::lay_out(wishes).divider.empty());
+}
+
 TEST_CASE("in a small window everything is drawn smaller, never below what can be read") {
   using raywalk::shrink_to_fit;
   CHECK(shrink_to_fit(1280, 720, 1) == 1);

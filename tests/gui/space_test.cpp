@@ -44,7 +44,9 @@ TEST_CASE("a click in the 3-D picture walks that pixel, on the marked row its ce
   bench.frames(2);
   CHECK_FALSE(bench.state.walk.pixel);
   CHECK_FALSE(bench.has("lines"));
-  CHECK(bench.rect("image") == image);
+  // Without rays there is no tree, and the picture has its room.
+  CHECK_FALSE(bench.has("tree-beside/pane"));
+  CHECK(bench.rect("image").width >= image.width);
   click_at(bench, bench.rect("image"), 0.5f, 0.5f);
   CHECK_FALSE(bench.state.walk.pixel);
   CHECK(current_cell(bench.state) == 10);

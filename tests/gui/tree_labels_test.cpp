@@ -86,3 +86,12 @@ TEST_CASE("a label of the ray tree that the border would cut is known") {
   CHECK_FALSE(is_seen({10, -3, 80, 16}, room));
   CHECK_FALSE(is_seen({330, 10, 80, 16}, room));
 }
+
+TEST_CASE("whether a label of the ray tree stands over a node is known, whatever else it stands over") {
+  const std::vector<ImVec2> nodes{{200, 40}, {100, 160}};
+  const TreeLabelRoom room = room_with(nodes);
+  CHECK_FALSE(covers_node({180, 54, 40, 16}, room));
+  CHECK(covers_node({180, 44, 40, 16}, room));
+  CHECK(covers_node({60, 152, 40, 16}, room));
+  CHECK_FALSE(covers_node({380, 190, 40, 16}, room));  // beyond the border alone
+}

@@ -47,17 +47,17 @@ inline constexpr std::array<std::string_view, 9> rough_messages{
     "walk.refract_formed_facets",  "walk.reflect_wrong_side",    "walk.refract_wrong_side"};
 
 /// Of PHOTON MAPPING alone.
-inline constexpr std::array<std::string_view, 39> photon_messages{
-    "walk.photon_begun",         "walk.photon_emitted",      "walk.photon_from_object",  "walk.photon_from_sky",
-    "walk.photon_called",        "walk.photon_goes_on",      "walk.photon_over",         "walk.photon_left",
-    "walk.photon_diffuse",       "walk.photon_not_diffuse",  "walk.photon_stored",       "walk.photon_stored_caustic",
-    "walk.photon_stored_direct", "walk.photon_not_kept",     "walk.photon_no_direction", "walk.photon_diffused",
-    "walk.photon_in_highlight",  "walk.photon_mirrored",     "walk.photon_passed",       "walk.photon_survives",
-    "walk.photon_lost_roulette", "walk.photon_absorbed",     "walk.photon_next",         "walk.gather_called",
-    "walk.gather_goes_on",       "walk.gather_over",         "walk.gather_no_direction", "walk.gather_ends",
-    "walk.background_counted",   "walk.emission_counted",    "walk.no_photons",          "walk.photons_found",
-    "walk.caustic_found",        "walk.both_found",          "walk.photons_within",      "walk.caustic_within",
-    "walk.both_within",          "walk.photons_add_nothing", "walk.photons_added"};
+inline constexpr std::array<std::string_view, 40> photon_messages{
+    "walk.photon_begun",          "walk.photon_emitted",       "walk.photon_emitted_far",  "walk.photon_from_object",
+    "walk.photon_from_sky",       "walk.photon_called",        "walk.photon_goes_on",      "walk.photon_over",
+    "walk.photon_left",           "walk.photon_diffuse",       "walk.photon_not_diffuse",  "walk.photon_stored",
+    "walk.photon_stored_caustic", "walk.photon_stored_direct", "walk.photon_not_kept",     "walk.photon_no_direction",
+    "walk.photon_diffused",       "walk.photon_in_highlight",  "walk.photon_mirrored",     "walk.photon_passed",
+    "walk.photon_survives",       "walk.photon_lost_roulette", "walk.photon_absorbed",     "walk.photon_next",
+    "walk.gather_called",         "walk.gather_goes_on",       "walk.gather_over",         "walk.gather_no_direction",
+    "walk.gather_ends",           "walk.background_counted",   "walk.emission_counted",    "walk.no_photons",
+    "walk.photons_found",         "walk.caustic_found",        "walk.both_found",          "walk.photons_within",
+    "walk.caustic_within",        "walk.both_within",          "walk.photons_add_nothing", "walk.photons_added"};
 
 /// Of RADIOSITY alone.
 inline constexpr std::array<std::string_view, 20> radiosity_messages{

@@ -153,6 +153,10 @@ TEST_CASE("every line and every message of photon mapping is reached") {
   for (int position = 1; position <= timeline.steps(); ++position)
     messages.insert(describe(rough, timeline, position).id);
   CHECK(messages.count("walk.photon_small_mirror") == 1);
+  Scene sunny = photon_room();
+  sunny.lights = {{"Sun", Rgbd(1.0), DirectionalLight{Vec3d(-1, 0.3, 0)}}};
+  const Timeline by_day = record_strip(sunny);
+  for (int position = 1; position <= by_day.steps(); ++position) messages.insert(describe(sunny, by_day, position).id);
   for (const std::string_view id : test::photon_messages) {
     INFO(id);
     CHECK(messages.count(id) == 1);

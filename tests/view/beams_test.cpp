@@ -76,7 +76,7 @@ TEST_CASE("the part at work says how much of the pixel it is, and nothing says s
   int told = 0;
   for (int at = position_after<PartBegun>(timeline); at > 0; at = position_after<PartBegun>(timeline, at)) {
     const auto& begun = std::get<PartBegun>(timeline.event(at - 1).detail);
-    const std::string coverage = number_text(begun.coverage, state.appearance.language);
+    const std::string coverage = number_text(begun.coverage, state.appearance.language) + " of the pixel";
     update(state, action::Jump{at});
     CHECK(has_text(plan_view(state), coverage));
     const int part = timeline.current_ray(at);
@@ -106,7 +106,8 @@ TEST_CASE("the number of a part stands beside it or is led to it, also where the
     if (ray.object >= 0) continue;
     CAPTURE(at);
     const std::string coverage =
-        number_text(std::get<PartBegun>(timeline.event(at - 1).detail).coverage, state.appearance.language);
+        number_text(std::get<PartBegun>(timeline.event(at - 1).detail).coverage, state.appearance.language) +
+        " of the pixel";
     const DisplayList list = plan_view(state);
     const auto note = std::find_if(list.begin(), list.end(), [&](const DisplayItem& item) {
       const auto* said = std::get_if<TextItem>(&item.shape);

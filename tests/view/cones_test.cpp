@@ -47,7 +47,7 @@ TEST_CASE("a cone is an area, and each part of it says its share once it is at w
   int told = 0;
   for (int at = position_after<PartBegun>(timeline); at > 0; at = position_after<PartBegun>(timeline, at)) {
     const auto& begun = std::get<PartBegun>(timeline.event(at - 1).detail);
-    const std::string share = number_text(begun.coverage, state.appearance.language);
+    const std::string share = number_text(begun.coverage, state.appearance.language) + " of the cone";
     update(state, action::Jump{at});
     CAPTURE(at, share);
     CHECK(is_finite(plan_view(state)));

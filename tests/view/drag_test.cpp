@@ -114,6 +114,28 @@ TEST_CASE("the radius handle changes the radius and nothing goes below zero") {
   CHECK(broken_promise(state) == "");
 }
 
+TEST_CASE("a light with a radius has a handle for it, and no other light has") {
+  Scene scene = busy_scene();
+  scene.lights = {{"Lamp", Rgbd(1.0), PointLight{Vec3d(1, 2, 0), {}}},
+                  {"Bulb", Rgbd(1.0), SphereLight{Vec3d(-2, 1, 0), 0.4, 3, {}}}};
+  State state = state_of(scene);
+  update(state, action::SetMode{Mode::move});
+  CHECK_FALSE(exists(state, {TargetKind::light_radius, 0}));
+  const Target handle{TargetKind::light_radius, 1};
+  REQUIRE(exists(state, handle));
+  CHECK(items_of(plan_view(state, state.plan.viewport), handle).size() == 1);
+  const auto radius = [&] { return std::get<SphereLight>(state.scene().lights[1].kind).radius; };
+  drag_by(state, handle, {30, -30});
+  CHECK(radius() == Approx(0.4 + std::sqrt(2.0) * 30 * unit(state)));
+  CHECK(state.plan.selected == Target{TargetKind::light, 1});
+  CHECK(std::get<SphereLight>(state.scene().lights[1].kind).position == Vec3d(-2, 1, 0));
+  drag_by(state, handle, {-500, 500});
+  CHECK(radius() > 0);
+  update(state, action::Undo{});
+  update(state, action::Undo{});
+  CHECK(radius() == 0.4);
+}
+
 TEST_CASE("a corner follows the pointer until edges would cross") {
   State state = busy_state();
   const Vec2d before = prism(state, 2).corner(1);

@@ -101,9 +101,21 @@ const EquationRow* row_with(const EquationPanel& panel, const std::string& text)
   return nullptr;
 }
 
+void replace(std::string& text, const std::string& what, const std::string& by) {
+  for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size())
+    text.replace(at, what.size(), by);
+}
+
 double number_shown(std::string shown) {
-  const std::string minus = "\u2212";
-  for (std::size_t at = 0; (at = shown.find(minus, at)) != std::string::npos;) shown.replace(at, minus.size(), "-");
+  replace(shown, "\u2212", "-");
+  if (const std::size_t power = shown.find(" \u00b7 10"); power != std::string::npos) {
+    std::string exponent = shown.substr(power + std::string(" \u00b7 10").size());
+    const std::string raised[]{"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
+                               "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
+    replace(exponent, "\u207b", "-");
+    for (std::size_t digit = 0; digit < 10; ++digit) replace(exponent, raised[digit], std::to_string(digit));
+    shown = shown.substr(0, power) + "e" + exponent;
+  }
   return std::stod(shown);
 }
 

@@ -189,6 +189,7 @@ void check(const State& state, Met& met) {
         case TargetKind::cell:
         case TargetKind::eye:
         case TargetKind::light:
+        case TargetKind::light_radius:
         case TargetKind::radius:
         case TargetKind::corner:
         case TargetKind::rotation:

@@ -14,6 +14,7 @@
 namespace raywalk {
 
 inline constexpr double min_ui_scale = 1, max_ui_scale = 3;
+inline constexpr double min_code_part = 0.15, max_code_part = 0.85;
 
 /// In a narrow, tall window: which of three stands below the walk.
 enum class Front { code, tabs, lesson };
@@ -77,6 +78,14 @@ struct ShowFront {
   static constexpr Traits traits{.keeps_drag = true};
   void apply(auto& state) const { state.appearance.front = front; }
 };
+/// How high the code is beside the plan, of it and the tabs below it.
+struct DividePanes {
+  static constexpr std::string_view word = "divide";
+  double code_part;  ///< clamped; 0: as high as it wants to be
+  static void fields(auto& f, auto& a) { f(a.code_part); }
+  static constexpr Traits traits{.keeps_drag = true, .always = true};
+  void apply(State& state) const;
+};
 /// The open tab and the plan change places; the tab opens there again.
 struct ExchangePanes {
   static constexpr std::string_view word = "exchange";
@@ -97,7 +106,7 @@ namespace raywalk {
 struct AppearanceRoom {
   using Actions =
       Types<action::SetTheme, action::SetLanguage, action::SetEnglishCode, action::SetUiScale, action::SetTouch,
-            action::SetTab, action::ShowFront, action::ExchangePanes, action::DismissNotice>;
+            action::SetTab, action::ShowFront, action::DividePanes, action::ExchangePanes, action::DismissNotice>;
   static Commands commands();
 
   Theme theme = Theme::dark;
@@ -107,6 +116,7 @@ struct AppearanceRoom {
   double ui_scale = 1;        ///< min_ui_scale..max_ui_scale
   Tab tab = PictureRoom::tab;
   Front front = Front::code;
+  double code_part = 0;          ///< height of the code, of it and the tabs below it; 0: as it wants
   std::vector<Tab> exchanged{};  ///< those that a person moved to the plan's place, or back from it
   bool embedded = false;         ///< in somebody's page: scene, code and transport alone, and an open lesson
 

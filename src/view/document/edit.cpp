@@ -157,6 +157,7 @@ void action::RemoveSelected::apply(State& state) const {
       next.objects.erase(next.objects.begin() + target.index);
       break;
     case TargetKind::light:
+    case TargetKind::light_radius:
       next.lights.erase(next.lights.begin() + target.index);
       break;
     case TargetKind::nothing:

@@ -72,6 +72,7 @@ Target found_again(Target target, const Scene& before, const Scene& after) {
   const int index = target.index;
   switch (target.kind) {
     case TargetKind::light:
+    case TargetKind::light_radius:
       target.index = found_again(index, before.lights, after.lights);
       break;
     case TargetKind::object:

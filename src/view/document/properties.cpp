@@ -194,6 +194,7 @@ Owner owner_of(const Target& target) {
     case TargetKind::rotation:
       return Owner::object;
     case TargetKind::light:
+    case TargetKind::light_radius:
       return Owner::light;
     case TargetKind::eye:
     case TargetKind::view_direction:

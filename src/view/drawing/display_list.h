@@ -28,6 +28,7 @@ enum class TargetKind {
   edge,             ///< a polygon's side from corner `part` to the next; index: object
   rotation,         ///< a polygon's handle; index: object
   light,            ///< index: in Scene::lights
+  light_radius,     ///< the handle of a light with a radius; index: light
   ray,              ///< index: in Timeline::rays()
 };
 template <>
@@ -44,6 +45,7 @@ inline constexpr Word<TargetKind> words_of<TargetKind>[] = {
     {TargetKind::edge, "edge"},
     {TargetKind::rotation, "rotation"},
     {TargetKind::light, "light"},
+    {TargetKind::light_radius, "light-radius"},
     {TargetKind::ray, "ray"},
 };
 

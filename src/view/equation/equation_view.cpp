@@ -28,8 +28,7 @@ void add_angle(Painter& painter, const Vec2d& at, const Vec2d& from, const Vec2d
   constexpr double narrow = 0.7, aside = 0.6;  // radians
   const double towards = std::abs(turn) > narrow ? begin + turn / 2 : begin - (turn < 0 ? -aside : aside);
   const Vec2d middle(std::cos(towards), std::sin(towards));
-  painter.note_beside(at + 20 * unit * middle, middle, words,
-                      {at + 52 * unit * middle, at + 70 * unit * middle, at + 90 * unit * middle});
+  painter.note_beside(at + 20 * unit * middle, middle, words);
 }
 
 void draw_bend(Painter& painter, const BendNotes& notes) {
@@ -57,21 +56,13 @@ void EquationRoom::draw_in_plan(Painter& painter) {
   const RayRecord& ray =
       state.walk.timeline->rays()[static_cast<std::size_t>(state.walk.timeline->current_ray(state.walk.position))];
   const Vec2d hit = painter.pixels(plan(ray.end)), from = painter.pixels(plan(ray.origin));
-  const double size = length(hit - from), unit = painter.sizes.unit;
+  const double size = length(hit - from);
   if (!(size > 0)) return;
-  const Vec2d back = (from - hit) / size, across(-back.y, back.x);
+  const Vec2d back = (from - hit) / size;
   const double facing = dot(ray.normal, ray.direction) > 0 ? -1 : 1;
   const Vec2d normal = on_screen(facing * ray.normal);
   if (!notes.angle.empty() && normal != Vec2d(0.0)) add_angle(painter, hit, back, normal, notes.angle);
-  // Beside the middle of the ray, preferably above; else nearer to an end, or below.
-  const double side = across.y > 0 ? -1 : 1;
-  std::vector<Vec2d> places;
-  for (const double way : {side, -side})
-    for (const double part : {0.5, 0.35, 0.65, 0.2, 0.8}) {
-      const Vec2d along = painter.seen_middle(from + (2 * part - 1) * (hit - from), hit);
-      places.push_back(along + way * 18 * unit * across);
-    }
-  painter.note_beside(painter.seen_middle(from, hit), side * across, notes.t, places);
+  painter.note_along(from, hit, notes.t);
 }
 
 }  // namespace raywalk

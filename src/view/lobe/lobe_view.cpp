@@ -126,7 +126,7 @@ void LobeRoom::draw_in_plan(Painter& painter) {
   painter.kept_free.push_back(box);
   const Vec2d out(most.along.x, -most.along.y);
   for (const std::string_view id : {is_sampled ? "plan.lobe" : "plan.lobe_highlight", "plan.lobe_short"})
-    if (painter.note_beside(place(most), out, std::string(text(id, state.appearance.language)), {}, box)) break;
+    if (painter.note_beside(place(most), out, std::string(text(id, state.appearance.language)), box)) break;
 }
 
 }  // namespace raywalk

@@ -194,7 +194,7 @@ class PencilPainter {
     const Vec2d to = painter_.pixels(plan(last.origin + length_of(pencil) * last.direction));
     const Vec2d along = to - from;
     const Vec2d across = length(along) > 0 ? Vec2d(-along.y, along.x) / length(along) : Vec2d(0, -1);
-    painter_.note_beside(painter_.seen_middle(from, to), across.y > 0 ? -across : across, said);
+    painter_.note_along(from, to, said);
     if (pencil.truly.empty() || !ends) return;
     const int all = static_cast<int>(pencil.truly.size());
     std::string off = pencil.parted < all ? fill("plan.pencil_error", language, {{"error", number(pencil.error)}}) : "";

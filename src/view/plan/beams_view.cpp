@@ -1,6 +1,6 @@
 #include "view/plan/painter.h"
 #include "view/state.h"
-#include "view/text/text.h"
+#include "view/text/shown.h"
 #include "view/walk/lit.h"
 #include "view/walk/walk.h"
 
@@ -221,8 +221,7 @@ class BeamPainter {
       at = other;
       break;
     }
-    painter_.note_beside(at, across.y > 0 ? -across : across,
-                         number_text(beam(index).coverage, state_.appearance.language));
+    painter_.note_beside(at, across.y > 0 ? -across : across, coverage_text(state_, beam(index)));
   }
 
   Painter& painter_;

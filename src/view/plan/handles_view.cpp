@@ -63,6 +63,14 @@ void draw_handles(Painter& painter) {
                },
                scene.objects[i].shape);
   }
+  const auto is_asked_for = [&](int light) {
+    const auto concerns = [&](const Target& target) { return belongs_to_light(target) && target.index == light; };
+    return concerns(painter.state.plan.selected) || concerns(painter.state.plan.hovered);
+  };
+  for (int light = 0; light < static_cast<int>(scene.lights.size()); ++light)
+    if (has_radius(scene.lights[static_cast<std::size_t>(light)]) &&
+        (scene.lights.size() <= few_handled || is_asked_for(light)))
+      draw_dot(painter, {TargetKind::light_radius, light});
   draw_view_direction(painter);
   draw_dot(painter, {TargetKind::screen_distance});
   draw_dot(painter, {TargetKind::screen_height, -1, 0});

@@ -117,9 +117,8 @@ void set_screen_distance(Camera& camera, const Grip& grip) {
   camera.screen.distance = clamped_length(camera.screen.distance + by, grip);
 }
 
-void set_radius(Sphere<double>& sphere, const Grip& grip) {
-  const Vec2d centre = plan(sphere.centre);
-  sphere.radius = clamped_length(sphere.radius + length(grip.to - centre) - length(grip.from - centre), grip);
+void set_radius(double& radius, const Vec2d& centre, const Grip& grip) {
+  radius = clamped_length(radius + length(grip.to - centre) - length(grip.from - centre), grip);
 }
 
 void turn_prism(Prism<double>& prism, const Grip& grip) {
@@ -154,9 +153,16 @@ std::optional<Scene> dragged(const Grip& grip) {
     case TargetKind::edge:  // an edge is for adding corners; dragging it takes the whole body along
       move_object(scene.objects[index], grip);
       return scene;
-    case TargetKind::radius:
-      set_radius(std::get<Sphere<double>>(scene.objects[index].shape), grip);
+    case TargetKind::radius: {
+      auto& sphere = std::get<Sphere<double>>(scene.objects[index].shape);
+      set_radius(sphere.radius, plan(sphere.centre), grip);
       return scene;
+    }
+    case TargetKind::light_radius: {
+      Light& light = scene.lights[index];
+      set_radius(*radius_of(light), plan(*middle_of(light)), grip);
+      return scene;
+    }
     case TargetKind::corner: {
       Vec2d& corner =
           std::get<Prism<double>>(scene.objects[index].shape).corners[static_cast<std::size_t>(grip.target.part)];

@@ -189,8 +189,41 @@ bool Painter::note(const std::vector<Vec2d>& places, const std::string& text,
   return best.has_value();
 }
 
-bool Painter::note_beside(const Vec2d& of, const Vec2d& away, const std::string& text, const std::vector<Vec2d>& first,
+bool Painter::note_beside(const Vec2d& of, const Vec2d& away, const std::string& text,
                           const std::optional<PixelRect>& around) {
+  return note_near(of, away, text, {}, around);
+}
+
+bool Painter::note_along(const Vec2d& from, const Vec2d& to, const std::string& text, bool above) {
+  const Vec2d first = seen_end(to, from), last = seen_end(from, to), way = last - first;
+  const double size = length(way);
+  if (!(size > 0)) return false;
+  Vec2d across = Vec2d(-way.y, way.x) / size;
+  if ((across.y < 0) != above) across = -across;
+  const Vec2d half = half_of_note(text, sizes.text);
+  const double clear = half.x * std::abs(across.x) + half.y * std::abs(across.y) + 4 * sizes.unit;
+  std::vector<Vec2d> places;
+  for (const double side : {clear, -clear})
+    for (const double part : {0.5, 0.35, 0.65, 0.2, 0.8}) places.push_back(first + part * way + side * across);
+  return note_near((first + last) / 2.0, across, text, places, {});
+}
+
+double Painter::inside_bodies(const Vec2d& from, const Vec2d& to) const {
+  const double size = length(to - from), step = 4 * sizes.unit;
+  double inside = 0;
+  // Not at its end, which may be on one.
+  for (double at = 2 * step; at < size; at += step) {
+    const Vec2d place = to + at / size * (from - to);
+    if (std::any_of(list.begin(), list.end(), [&](const DisplayItem& item) {
+          return item.target.kind == TargetKind::object && covers(item, place);
+        }))
+      inside += step;
+  }
+  return inside;
+}
+
+bool Painter::note_near(const Vec2d& of, const Vec2d& away, const std::string& text, const std::vector<Vec2d>& first,
+                        const std::optional<PixelRect>& around) {
   const Vec2d half = half_of_note(text, sizes.text), across(-away.y, away.x);
   std::vector<Vec2d> places = first;
   for (const double gap : {6.0, 22.0, 44.0, 70.0, 110.0, 150.0})
@@ -217,7 +250,8 @@ bool Painter::note_beside(const Vec2d& of, const Vec2d& away, const std::string&
     const bool crosses = std::any_of(leaders.begin(), leaders.end(),
                                      [&](const auto& other) { return cross_each_other({*edge, of}, other); });
     if (runs_over || crosses) return std::numeric_limits<double>::infinity();
-    return length(*edge - of) > 50 * sizes.unit ? 1.0 : 0.0;
+    constexpr double of_body = 0.05;  // of a unit of the line inside one
+    return (length(*edge - of) > 50 * sizes.unit ? 1.0 : 0.0) + of_body * inside_bodies(*edge, of) / sizes.unit;
   });
   if (!is_there) return false;
   if (const std::optional<Vec2d> edge = leader(std::get<TextItem>(list.back().shape).at)) {

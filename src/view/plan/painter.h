@@ -68,12 +68,15 @@ class Painter {
   bool note(const std::vector<Vec2d>& places, const std::string& text);
   /// The same, but on no outline of a body at all.
   bool note_off_bodies(const std::vector<Vec2d>& places, const std::string& text);
-  /// The same at one of `first`; else beside a point, as near as possible and farther away with a line to it, which
-  /// runs over nothing that is kept free, nor over another such line. `away`: preferably in this direction, of unit
+  /// The same beside a point, as near as possible and farther away with a line to it, which runs over nothing that is
+  /// kept free, nor over another such line, and rather over no body. `away`: preferably in this direction, of unit
   /// length. Returns whether it is there.
   /// `around`: what is kept free around the point itself, which the line may enter from its side.
-  bool note_beside(const Vec2d& of, const Vec2d& away, const std::string& text, const std::vector<Vec2d>& first = {},
+  bool note_beside(const Vec2d& of, const Vec2d& away, const std::string& text,
                    const std::optional<PixelRect>& around = {});
+  /// The same close to the visible part of a segment, preferably above its middle, and on no part of it; else beside
+  /// its middle. `above`: false: preferably below.
+  bool note_along(const Vec2d& from, const Vec2d& to, const std::string& text, bool above = true);
   /// How far it is from a point, in a direction of unit length, to the edge of the pane or to the frame; 0 from
   /// outside.
   [[nodiscard]] double room_along(const Vec2d& from, const Vec2d& along) const;
@@ -88,6 +91,11 @@ class Painter {
   /// infinitely much, it is none. `off_bodies`: nor is one on the outline of a body.
   bool note(const std::vector<Vec2d>& places, const std::string& text, const std::function<double(const Vec2d&)>& more,
             bool off_bodies = false);
+  /// The same at one of `first`; else as `note_beside`.
+  bool note_near(const Vec2d& of, const Vec2d& away, const std::string& text, const std::vector<Vec2d>& first,
+                 const std::optional<PixelRect>& around);
+  /// How much of a line is inside bodies, in pixels: where it runs through one it seems to lead to it.
+  [[nodiscard]] double inside_bodies(const Vec2d& from, const Vec2d& to) const;
   /// The visible part of a segment, with a margin: from and to, 0..1.
   [[nodiscard]] std::optional<std::array<double, 2>> seen_stretch(const Vec2d& from, const Vec2d& to,
                                                                   double margin) const;

@@ -46,6 +46,23 @@ bool belongs_to_object(const Target& target) {
          target.kind == TargetKind::edge || target.kind == TargetKind::rotation;
 }
 
+bool belongs_to_light(const Target& target) {
+  return target.kind == TargetKind::light || target.kind == TargetKind::light_radius;
+}
+
+double* radius_of(Light& light) {
+  return std::visit(
+      [](auto& kind) -> double* {
+        if constexpr (requires { kind.radius; }) return &kind.radius;
+        return nullptr;
+      },
+      light.kind);
+}
+
+bool has_radius(const Light& light) {
+  return std::visit([](const auto& kind) { return requires { kind.radius; }; }, light.kind);
+}
+
 std::optional<Bounds<double>> footprint_of(const Object& object) {
   const Bounds<double> box = image_of(affine_of(object.transform), bounds(object.shape));
   if (box.empty() || !box.bounded()) return std::nullopt;
@@ -121,7 +138,11 @@ double clearance(const State& state, int own, const Vec2d& at, const Viewport& v
     if (const auto* prism = std::get_if<Prism<double>>(&object.shape))
       for (int corner = 0; corner < prism->sides(); ++corner) keep_off(prism->corner(corner));
   }
-  for (const Light& light : scene.lights) keep_off(light_place(scene, light, state.plan.camera, viewport));
+  for (int i = 0; i < static_cast<int>(scene.lights.size()); ++i) {
+    keep_off(place_of(state, {TargetKind::light, i}, viewport));
+    if (has_radius(scene.lights[static_cast<std::size_t>(i)]))
+      keep_off(place_of(state, {TargetKind::light_radius, i}, viewport));
+  }
   return least;
 }
 
@@ -193,6 +214,12 @@ Vec2d place_of(const State& state, const Target& target, const Viewport& viewpor
       return rotation_place(state, target, std::get<Prism<double>>(scene.objects[index].shape), viewport);
     case TargetKind::light:
       return light_place(scene, scene.lights[index], state.plan.camera, viewport);
+    case TargetKind::light_radius: {
+      const Light& light = scene.lights[index];
+      const double drawn =
+          std::max(reach_of(light), 20 * state.appearance.ui_scale / state.plan.camera.pixels_per_unit);
+      return plan(*middle_of(light)) + drawn * Vec2d(std::numbers::sqrt2 / 2, std::numbers::sqrt2 / 2);
+    }
     case TargetKind::ray: {
       const RayRecord& ray = state.walk.timeline->rays()[index];
       return plan(ray.origin + ray.end) / 2.0;

@@ -30,6 +30,11 @@ inline constexpr std::size_t few_handled = 12;
 
 /// A body or one of its handles: `target.index` is then an object's.
 [[nodiscard]] bool belongs_to_object(const Target& target);
+/// Whether it is a light or the handle of one.
+[[nodiscard]] bool belongs_to_light(const Target& target);
+/// The radius of a kind of light that has one, which a handle changes; null where there is none.
+[[nodiscard]] double* radius_of(Light& light);
+[[nodiscard]] bool has_radius(const Light& light);
 
 /// An object's box, with its transform; none if it is empty or infinite.
 [[nodiscard]] std::optional<Bounds<double>> footprint_of(const Object& object);

@@ -153,6 +153,7 @@ namespace {
 int rank_of(TargetKind kind) {
   switch (kind) {
     case TargetKind::radius:
+    case TargetKind::light_radius:
     case TargetKind::corner:
     case TargetKind::rotation:
     case TargetKind::view_direction:

@@ -25,6 +25,8 @@ Target selection_of(const Target& target, Mode mode) {
     case TargetKind::rotation:
     case TargetKind::edge:
       return {TargetKind::object, target.index};
+    case TargetKind::light_radius:
+      return {TargetKind::light, target.index};
     case TargetKind::cell:
       return {TargetKind::screen_distance};
     case TargetKind::ray:
@@ -47,7 +49,7 @@ std::optional<Scene> checked(State& state, const Grip& grip) {
   std::optional<Scene> next = dragged(grip);
   if (!next) return std::nullopt;
   const int object = belongs_to_object(grip.target) ? grip.target.index : -1;
-  const int light = grip.target.kind == TargetKind::light ? grip.target.index : -1;
+  const int light = belongs_to_light(grip.target) ? grip.target.index : -1;
   const std::string why = why_refused(*next, object, light);
   if (why.empty()) return next;
   complain(state, fill("notice.refused", state.appearance.language, {{"why", why}}));

@@ -26,4 +26,11 @@ namespace raywalk {
   return std::string(cone ? text("plan.cone", state.appearance.language) : text(kind, state.appearance.language));
 }
 
+/// How much of its pixel a part of a beam is, or of its cone a part of a cone: "0.2 of the pixel".
+[[nodiscard]] inline std::string coverage_text(const State& state, const BeamRecord& part) {
+  const Language language = state.appearance.language;
+  return fill(state.walk.timeline->of_cones() ? "plan.of_cone" : "plan.of_pixel", language,
+              {{"coverage", number_text(part.coverage, language)}});
+}
+
 }  // namespace raywalk

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
@@ -35,10 +36,18 @@ int digits_that_differ(const Message& message, Language language) {
   return all_digits;
 }
 
+/// 3 significant digits, and all of a number that has more before its point.
+std::string digits_of(double value) {
+  if (value == 0) return "0";
+  const double size = std::abs(value);
+  const bool whole = size >= 999.5 && size < 999999.5;
+  return whole ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value);
+}
+
 std::string value_text(const Scene& scene, const Argument& argument, Language language, int more_digits) {
   return std::visit(Overloaded{
                         [](int value) { return std::to_string(value); },
-                        [&](double value) { return number_text(value, language); },
+                        [&](double value) { return typeset_power(digits_of(value), language); },
                         [&](const Rgbd& colour) { return colour_text(colour, language); },
                         [&](Fraction share) { return percent_text(share.value, language, more_digits); },
                         [&](RayKind kind) { return std::string(text(kind, language)); },
@@ -111,12 +120,17 @@ std::string typeset_number(std::string digits, Language language) {
   return digits;
 }
 
-std::string number_text(double value, Language language) {
-  if (value == 0) return "0";
-  const double size = std::abs(value);
-  const bool whole = size >= 999.5 && size < 999999.5;
-  return typeset_number(whole ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value), language);
+std::string typeset_power(std::string digits, Language language) {
+  const std::size_t at = digits.find('e');
+  if (at == std::string::npos) return typeset_number(std::move(digits), language);
+  static constexpr std::array<std::string_view, 10> raised{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  const std::string power = std::to_string(std::stoi(digits.substr(at + 1)));
+  std::string all;
+  for (const char c : power) all += c == '-' ? std::string_view("⁻") : raised[static_cast<std::size_t>(c - '0')];
+  return typeset_number(digits.substr(0, at), language) + " · 10" + all;
 }
+
+std::string number_text(double value, Language language) { return typeset_number(digits_of(value), language); }
 
 std::string percent_text(double share, Language language, int more_digits) {
   const double percent = 100 * share;

@@ -17,14 +17,14 @@ std::string name_of(const State& state, const RayRecord& ray) {
   return {};
 }
 
-/// Of a beam: how many parts it has; of a part: what it sees, and how much of the pixel it is.
+/// Of a beam: how many parts it has; of a part: what it sees, and how much of the pixel or of its cone it is.
 std::string label_of_beam(const State& state, const RayRecord& ray) {
   const Language language = state.appearance.language;
   const BeamRecord& beam = state.walk.timeline->beams()[static_cast<std::size_t>(ray.beam)];
   if (beam.parts > 0) return fill("tree.parts", language, {{"count", beam.parts}});
   const std::string sees = ray.object >= 0 ? object_name(state, ray.object) : std::string(text(ray.ending, language));
   const bool told = beam.begun_at <= state.walk.position;
-  return told ? sees + ", " + number_text(beam.coverage, language) : sees;
+  return told ? sees + ", " + coverage_text(state, beam) : sees;
 }
 
 std::string label_of(const State& state, const RayRecord& ray) {

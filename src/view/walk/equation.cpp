@@ -543,7 +543,7 @@ class EquationWriter {
 }  // namespace
 
 std::string equation_number(double value, Language language) {
-  return value == 0 ? "0" : typeset_number(fmt::format("{:.4g}", value), language);
+  return value == 0 ? "0" : typeset_power(fmt::format("{:.4g}", value), language);
 }
 
 double angle_of_cosine(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi; }

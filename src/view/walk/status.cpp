@@ -32,7 +32,7 @@ std::string ray_text(const State& state, int index) {
     if (part.begun_at > state.walk.position)
       return fill(cones ? "pointed.cone_part" : "pointed.part", state.appearance.language, {{"object", sees}});
     return fill(cones ? "pointed.cone_part_covers" : "pointed.part_covers", state.appearance.language,
-                {{"object", sees}, {"coverage", number_text(part.coverage, state.appearance.language)}});
+                {{"object", sees}, {"coverage", coverage_text(state, part)}});
   }
   if (ray.parent < 0) {
     const int column = timeline.pixels()[static_cast<std::size_t>(ray.pixel)].column;
@@ -114,6 +114,8 @@ std::string target_text(const State& state, const Target& target) {
     }
     case TargetKind::radius:
       return fill("drag.radius", state.appearance.language, {{"name", object_name(state, target.index)}});
+    case TargetKind::light_radius:
+      return fill("drag.radius", state.appearance.language, {{"name", light_name(state, target.index)}});
     case TargetKind::corner:
       return fill("drag.corner", state.appearance.language, {{"name", object_name(state, target.index)}});
     case TargetKind::edge:
