@@ -166,12 +166,16 @@ void Browser::kinds(const Ui& ui) {
   // A lesson's script is last: it is available only with a lesson.
   const std::size_t shown = kinds_of_export.size() - (ui.state.lessons.open ? 0 : 1);
   const float gap = ui.px(6), count = static_cast<float>(shown);
-  const ImVec2 extent{(ImGui::GetContentRegionAvail().x - (count - 1) * gap) / count, ImGui::GetFrameHeight()};
   const ButtonLook look{.look = Look::choice, .icon = Icon::none, .font = ui.fonts.small};
+  // Each by its words, and all together as wide as the dialog.
+  float spare = ImGui::GetContentRegionAvail().x - (count - 1) * gap;
+  for (const ExportEnding& each : std::span(kinds_of_export).first(shown))
+    spare -= button_width(ui, ui.say(words(each.kind).label), look);
   for (const ExportEnding& each : std::span(kinds_of_export).first(shown)) {
     const Words of = words(each.kind);
     if (&each != &kinds_of_export.front()) ImGui::SameLine(0, gap);
-    if (button(ui, "export" + std::string(each.ending), ui.say(of.label), ui.say(of.hint), extent, look,
+    if (button(ui, "export" + std::string(each.ending), ui.say(of.label), ui.say(of.hint),
+               {button_width(ui, ui.say(of.label), look) + spare / count, ImGui::GetFrameHeight()}, look,
                chosen == each.kind))
       export_asked_ = each.kind, typed_ = name();
   }

@@ -27,7 +27,7 @@ struct EffectWords {
 EffectWords effect_words(const Ui& ui) {
   const EffectsRoom& room = ui.state.effects;
   const auto with_rays = [&](const std::string& name, int rays) {
-    return room.rays && room.rays->counted ? name + "  " + ui.say("effects.rays", {{"count", rays}}) : name;
+    return room.rays && room.rays->counted ? name + ": " + ui.say("effects.rays", {{"count", rays}}) : name;
   };
   EffectWords words;
   for (const Effect effect : values_of<Effect>)

@@ -33,6 +33,9 @@ constexpr std::array<ImWchar, 25> glyphs{0x0020, 0x017F, 0x0391, 0x03C9, 0x2010,
                                          0x209C, 0x2190, 0x2199, 0x21BA, 0x21BB, 0x2200, 0x2265, 0x22C5, 0x22C5,
                                          0x25A0, 0x25CF, 0x2713, 0x2717, 0xFFFD, 0xFFFD, 0};
 
+// A superscript that JetBrains Mono lacks.
+constexpr std::array<ImWchar, 3> raised_minus{0x207B, 0x207B, 0};
+
 // Further alphabets of Inter, as Unicode blocks: extended Latin, Greek, Cyrillic, Vietnamese, polytonic Greek.
 struct Alphabet {
   ImWchar first, last;
@@ -193,6 +196,7 @@ Fonts build_fonts(ImFontAtlas& atlas, const FontFiles& files, float scale, float
     }
     // Where several have a letter, ImGui takes that of the first.
     config.MergeMode = true;
+    if (file != files.text) from_file(files.text, raised_minus.data());
     for (const std::string& name : files.more) from_file(name, more_ranges);
     return font;
   };

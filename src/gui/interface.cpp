@@ -71,6 +71,7 @@ void Interface::grant(const Ui& ui) {
 }
 
 void Interface::press(const State& state, const Fonts& fonts, float unit, float dpi, const KeyPress& key) {
+  rest_.hush();
   const bool asks = state.document.question || state.document.prompt != PathPrompt::none || state.link.shown;
   const bool menu_open = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
   const Ui with = ui(state, fonts, unit, dpi);
@@ -101,6 +102,7 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   items_.clear();
   const Ui with = ui(state, fonts, unit, dpi);
   ImGuiIO& io = ImGui::GetIO();
+  if (io.MouseDelta.x != 0 || io.MouseDelta.y != 0) rest_.pointer_moved();
   // Arrows and Enter work inside menus and dialogs; outside they are commands.
   const bool popup = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
   if (popup || wanted_menu_ >= 0) {
@@ -169,7 +171,9 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   }
   if (inks(state)) {
     Rect tools = layout_.plan;
-    tools.height = std::min(ink_height(with, tools.width), layout_.plan.height);
+    // Where there is little room they scroll.
+    const float most = std::max(0.4f * layout_.plan.height, layout_.plan.height - with.px(70));
+    tools.height = std::min(ink_height(with, tools.width), most);
     layout_.plan.y += tools.height;
     layout_.plan.height -= tools.height;
     ink_pane(with, tools);
@@ -181,12 +185,15 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   if (helps) {
     help_pane(with, layout_.help, std::exchange(scroll_help_, 0.0f));
   } else {
+    const bool keeps_tab = folds && !layout_.tabs.empty();
     if (!layout_.plan.empty()) {
       if (shows_lines(state)) {
         lines_pane(with, layout_.plan);
       } else {
         plan_pane(with, layout_.plan);
       }
+    }
+    if (!layout_.plan.empty() || keeps_tab) {
       // One strip for both modes, so that the plan does not move.
       if (!embedded && state.walk.mode == Mode::move) palette_pane(with, layout_.strip);
       if (!embedded && state.walk.mode == Mode::trace) legend_pane(with, layout_.strip);
@@ -204,7 +211,7 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   } else {
     code_pane(with, layout_.side);
   }
-  if (!embedded && !folds)
+  if (!embedded && (!folds || !layout_.tabs.empty()))
     tabs_.draw(with, layout_.tabs, tab_alone, picture, std::exchange(open_settings_, false),
                std::exchange(open_knobs_, false));
   divider_pane(with, layout_);

@@ -37,8 +37,11 @@ void lay_out_walk(const LayoutWishes& wishes, float lesson, float top, float bot
   const float corner = take(width * 0.2f, std::min(layout.strip.height, usual));
   layout.strip.width -= corner;
   layout.corner = {layout.strip.right(), layout.strip.y, corner, layout.strip.height};
-  layout.band = above(0.25f, wishes.band);
-  layout.effects = above(0.5f, wishes.effects);
+  // What effects and the band leave of the plan can still be seen.
+  const float least_plan = 0.42f * (below - transport);
+  const auto beside_plan = [&](float wish) { return std::max(std::min(wish, end - top - least_plan), 0.0f); };
+  layout.band = above(0.25f, beside_plan(wishes.band));
+  layout.effects = above(0.5f, beside_plan(wishes.effects));
   layout.plan = {edge, top, width, end - top};
 }
 
@@ -97,7 +100,7 @@ Layout lay_out_wide(const LayoutWishes& wishes) {
   // The code fits its longest line; the plan gets at least a third of the window.
   const float side = wishes.focus
                          ? take(width / 8, folded_width * unit)
-                         : take(width * 2 / 3, std::max(wishes.code_width, std::min(width * 0.33f, 560 * unit)));
+                         : take(width * 2 / 3, std::max(wishes.code_width, std::min(width * 0.33f, 640 * unit)));
   // A telephone on its side has no room for a third column.
   const bool two_columns = !wishes.focus && height < low_window * unit && width < three_columns * unit;
   const float lesson = wishes.lesson > 0 && !two_columns ? take((width - side) * 0.5f - line, wishes.lesson) : 0.0f;
@@ -172,7 +175,10 @@ Layout lay_out(const LayoutWishes& wishes) {
     if (upright && one_column) fill_with_help(wishes.height, layout);
     return layout;
   }
-  if (wishes.focus) return layout;
+  if (wishes.focus) {  // what has the plan's place keeps it
+    if (wishes.exchanged) layout.tabs = std::exchange(layout.plan, {});
+    return layout;
+  }
   if (wishes.exchanged && !layout.tabs.empty()) std::swap(layout.plan, layout.tabs);
   if (one_column && wishes.front == Front::lesson && wishes.enlarged) show_beside_lesson(layout);
   const bool fills = upright && one_column && wishes.large_tab && !wishes.exchanged;

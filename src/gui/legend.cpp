@@ -26,8 +26,7 @@ void sample(const Ui& ui, const LegendRow& row, float x, float y, float length) 
   const Colour colour = ui.state.legend.shows(row.kind) ? row.style.colour : row.style.colour.with_alpha(hidden_alpha);
   line.stroke = {colour, static_cast<double>(ui.px(2.2f)), row.style.dash, 0};
   for (double& part : line.stroke.dash.lengths) part *= static_cast<double>(ui.unit);
-  // With little room, dashes are more informative than the arrowhead.
-  line.arrow = length < ui.px(30) ? 0.0 : static_cast<double>(ui.px(10));
+  line.arrow = static_cast<double>(std::min(ui.px(10), length / 3));
   paint_line(*ImGui::GetWindowDrawList(), line);
 }
 

@@ -193,6 +193,18 @@ bool offers_cure(const Ui& ui, const LessonPanel& panel) {
   return panel.asks == Asks::line && ui.state.lessons.revealed && ui.state.walk.bug.has_value();
 }
 
+void cure(const Ui& ui, ImVec2 extent) {
+  command_button(ui, command("bug-mend"), extent, {},
+                 ui.say(ui.state.walk.bug->mended ? "bug.break_again" : "bug.mend"));
+}
+
+// A number has no letters but those of "2x" and "1e-7": others are slips of the hand, or commands.
+int without_letters(ImGuiInputTextCallbackData* typed) {
+  const ImWchar letter = typed->EventChar;
+  const bool is_letter = (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z');
+  return is_letter && letter != 'e' && letter != 'E' && letter != 'x' ? 1 : 0;
+}
+
 }  // namespace
 
 void LessonPane::number(const Ui& ui, const LessonPanel& panel, bool is_new, bool takes_keys) {
@@ -205,9 +217,10 @@ void LessonPane::number(const Ui& ui, const LessonPanel& panel, bool is_new, boo
   char typed[32] = {};
   number_.copy(typed, sizeof typed - 1);
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x * 0.5f);
-  const bool entered =
-      ImGui::InputText("##number", typed, sizeof typed,
-                       ImGuiInputTextFlags_EnterReturnsTrue | (revealed ? ImGuiInputTextFlags_ReadOnly : 0));
+  const bool entered = ImGui::InputText("##number", typed, sizeof typed,
+                                        ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackCharFilter |
+                                            (revealed ? ImGuiInputTextFlags_ReadOnly : 0),
+                                        without_letters);
   types_ = ImGui::IsItemActive();
   ui.publish("lesson-number");
   if (number_ != typed) {
@@ -241,7 +254,7 @@ void LessonPane::question(const Ui& ui, const LessonPanel& panel, bool is_new, b
     if (panel.asks == Asks::line) paragraph(sitting.guess.line ? ui.colours.text : ui.colours.dim_text, panel.marked);
     pop_font();
   }
-  if (offers_cure(ui, panel) && !is_low) command_button(ui, command("bug-mend"), wide);
+  if (offers_cure(ui, panel) && !is_low) cure(ui, wide);
   if (panel.astray &&
       button(ui, "lesson-question", ui.say("lesson.back_to_question"), "", wide, {.look = Look::primary}))
     ui.act(action::GoToLessonStep{panel.step - 1});
@@ -253,7 +266,8 @@ void LessonPane::question(const Ui& ui, const LessonPanel& panel, bool is_new, b
 void LessonPane::draw(const Ui& ui, const Rect& where) {
   const LessonPanel panel = lesson_panel(ui.state);
   const LessonRoom& sitting = ui.state.lessons;
-  const Pane pane(ui, "lesson", where, ui.colours.panel, {ui.px(16), ui.px(12)}, ImGuiWindowFlags_NoScrollbar);
+  const Pane pane(ui, "lesson", where, ui.colours.panel, {ui.px(16), ui.px(12)},
+                  ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   if (!pane) return;
   const std::string shown_for = panel.lesson + "/" + std::to_string(panel.step) + (sitting.revealed ? "!" : "");
   const bool is_new = shown_for_ != shown_for;
@@ -261,8 +275,8 @@ void LessonPane::draw(const Ui& ui, const Rect& where) {
   shown_for_ = shown_for;
   const bool open = sitting.at() != nullptr;
   const float width = ImGui::GetContentRegionAvail().x, height = button_height(ui), left = where.x + ui.px(16);
-  const bool alone = ui.state.focus.on && has_question(ui.state);  // the question without what leads to it
-  if (!alone) head(ui, panel, where, open);
+  const bool alone = ui.state.focus.on && has_question(ui.state);  // the question, and what leads to it above
+  if (!alone || where.height > ui.px(360)) head(ui, panel, where, open);
 
   // A telephone has no room for what a teacher chooses once; the list of lessons has it, too.
   const bool has_options = !alone && (!open || where.height > ui.px(360));
@@ -275,8 +289,9 @@ void LessonPane::draw(const Ui& ui, const Rect& where) {
     if (is_new) ImGui::SetScrollY(0);
     if (open) {
       if (!panel.summary.empty() && !alone) prose(ui, ui.colours.dim_text, panel.summary);
-      if (!alone) prose(ui, ui.colours.text, panel.text);
+      if (!alone || !is_low) prose(ui, ui.colours.text, panel.text);
       if (panel.asks != Asks::nothing) question(ui, panel, is_new, is_low);
+      if (alone && is_new && !is_low && !sitting.revealed) ImGui::SetScrollHereY(1);
       // Scrolls a new answer into view, with its context where there is room for both.
       if (is_new && sitting.revealed) {
         if (!is_low)
@@ -286,8 +301,7 @@ void LessonPane::draw(const Ui& ui, const Rect& where) {
       }
       answer(ui, panel);
       // Where the question has scrolled away, below what speaks of it.
-      if (offers_cure(ui, panel) && is_low)
-        command_button(ui, command("bug-mend"), {ImGui::GetContentRegionAvail().x, height});
+      if (offers_cure(ui, panel) && is_low) cure(ui, {ImGui::GetContentRegionAvail().x, height});
       if (!alone) notes(ui, panel);
     } else {
       list(ui, panel, is_new);
@@ -305,7 +319,10 @@ void LessonPane::draw(const Ui& ui, const Rect& where) {
 
 bool lesson_by_key(const KeyPress& press, const Ui& ui) {
   const State& state = ui.state;
-  if (!state.lessons.shown || state.walk.mode != Mode::trace || press.ctrl || press.alt) return false;
+  // A presenter goes on by the same keys after "Now change something".
+  const bool listens = state.walk.mode == Mode::trace ||
+                       (state.walk.mode == Mode::move && state.lessons.presenter && state.lessons.at() != nullptr);
+  if (!state.lessons.shown || !listens || press.ctrl || press.alt) return false;
   const LessonPanel panel = lesson_panel(state);
   const int digit = press.key.size() == 1 ? press.key[0] - '1' : -1;
   const bool picks = panel.asks == Asks::choice && !state.lessons.revealed && digit >= 0 &&

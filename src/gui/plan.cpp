@@ -64,9 +64,9 @@ void pointer_actions(const Ui& ui, const Rect& where) {
 }
 
 // The tooltip of what is under the pointer, without delay.
-void name_target(const Ui& ui) {
+void name_target(const Ui& ui, const Rect& where) {
   const std::string what = target_text(ui.state, ui.state.plan.hovered);
-  if (!what.empty()) tooltip_now(ui, what);
+  if (!what.empty()) tooltip_now(ui, what, where);
 }
 
 }  // namespace
@@ -91,7 +91,7 @@ void plan_pane(const Ui& ui, const Rect& where) {
   const bool inside = ImGui::IsItemHovered();
   // Drawn for the current size of the pane, even in the one frame before the state knows it.
   paint(*ImGui::GetWindowDrawList(), plan_view(ui.state, viewport), where, ui.dpi, ui.fonts);
-  if (inside && !ui.state.plan.drag) name_target(ui);
+  if (inside && !ui.state.plan.drag) name_target(ui, where);
   if ((inside || ui.state.plan.drag) && can_be_held(ui.state, ui.state.plan.hovered.kind))
     ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
 }

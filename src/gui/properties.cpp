@@ -99,7 +99,10 @@ void PropertiesPane::draw(const Ui& ui, const Rect& where, bool focus) {
   // Fields of different things need different ids.
   ImGui::PushID(static_cast<int>(target.kind));
   ImGui::PushID(target.index);
-  if (std::exchange(shown_, target) != target) memory_ = {};
+  if (std::exchange(shown_, target) != target) {
+    memory_ = {};
+    ImGui::SetScrollY(0);
+  }
   Form form(ui, memory_, width);
   // First the pane, a frame later its field: newer versions of ImGui search only the focused window.
   if (std::exchange(focus_field_, false)) form.focus_next();

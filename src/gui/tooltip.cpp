@@ -89,8 +89,15 @@ void show_tooltip(const Ui& ui) {
   ui.publish("tooltip", where);
 }
 
-void tooltip_now(const Ui& ui, const std::string& text) {
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(9), ui.px(5)});
+void tooltip_now(const Ui& ui, const std::string& text, const Rect& within) {
+  if (ui.rest.hushed()) return;
+  const ImVec2 pad{ui.px(9), ui.px(5)}, mouse = ImGui::GetIO().MousePos;
+  push_font(ui.fonts.small);
+  const float width = ImGui::CalcTextSize(text.c_str()).x + 2 * pad.x, aside = ui.px(16), below = ui.px(10);
+  pop_font();
+  if (!within.empty() && mouse.x + aside + width > within.right())
+    ImGui::SetNextWindowPos({std::max(std::min(mouse.x - below, within.right()) - width, within.x), mouse.y + below});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, pad);
   ImGui::BeginTooltip();
   push_font(ui.fonts.small);
   ImGui::TextUnformatted(text.c_str());

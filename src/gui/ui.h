@@ -54,8 +54,12 @@ class Rest {
     pressed_ = pressed_ || pressed;
     asked_ = true;
     now_ = now;
-    return !pressed_ && now - since_ >= patience;
+    return !hushed_ && !pressed_ && now - since_ >= patience;
   }
+  /// A key was pressed: who types looks elsewhere, until the pointer moves.
+  void hush() { hushed_ = true; }
+  void pointer_moved() { hushed_ = false; }
+  [[nodiscard]] bool hushed() const { return hushed_; }
   void show(Tip tip) { tip_ = std::move(tip); }
   [[nodiscard]] std::optional<Tip> take_tip() { return std::exchange(tip_, std::nullopt); }
   /// Requests another frame after at most this many seconds.
@@ -71,7 +75,7 @@ class Rest {
   static constexpr double patience = 0.6;  // seconds
   std::string name_;
   double since_ = 0, now_ = 0;
-  bool asked_ = false, pressed_ = false;
+  bool asked_ = false, pressed_ = false, hushed_ = false;
   std::optional<Tip> tip_;
   double wake_ = -1;
 };

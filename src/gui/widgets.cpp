@@ -313,12 +313,12 @@ float choice_in_lines(const Ui& ui, const std::vector<const Command*>& commands,
   const ImVec2 least = ImGui::GetCursorScreenPos();
   const float low = line_height * 0.8f;
   using ButtonLines = std::vector<std::vector<std::pair<const Command*, float>>>;
-  const auto broken = [&](bool in_short) {
+  const auto broken = [&](bool in_short, float room) {
     ButtonLines lines(1);
     float used = 0;
     for (const Command* each : commands) {
       const float own = button_width(ui, command_label(*each, ui.state, in_short), look) - 2 * ui.px(5);
-      if (used > 0 && used + own > width) {
+      if (used > 0 && used + own > room) {
         lines.emplace_back();
         used = 0;
       }
@@ -327,8 +327,14 @@ float choice_in_lines(const Ui& ui, const std::vector<const Command*>& commands,
     }
     return lines;
   };
-  const bool in_short = broken(true).size() < broken(false).size();
-  const ButtonLines lines = broken(in_short);
+  const bool in_short = broken(true, width).size() < broken(false, width).size();
+  // As many lines, and none much shorter than the others.
+  ButtonLines lines = broken(in_short, width);
+  for (float room = width - ui.px(8); room > width / 2; room -= ui.px(8)) {
+    ButtonLines even = broken(in_short, room);
+    if (even.size() > lines.size()) break;
+    lines = std::move(even);
+  }
   const float height = low * static_cast<float>(lines.size());
   ImGui::GetWindowDrawList()->AddRectFilled(least, {least.x + width, least.y + height},
                                             to_imgui(Shades(ui.state.appearance.theme).raised),

@@ -102,7 +102,8 @@ void tooltip(const Ui& ui, std::string_view name, const std::string& text, TipOf
 /// At the end of a frame: the tooltip that is due, where it covers the least of what can be clicked.
 void show_tooltip(const Ui& ui);
 /// Shows `text` beside the pointer, at once and in one line.
-void tooltip_now(const Ui& ui, const std::string& text);
+/// `within`: left of its right edge, where what stands beside it is read; empty: anywhere.
+void tooltip_now(const Ui& ui, const std::string& text, const Rect& within = {});
 
 /// With smooth edges whichever way round its corners are named: ImGui smooths clockwise ones alone.
 void fill_triangle(ImDrawList& draw, ImVec2 a, ImVec2 b, ImVec2 c, ImU32 colour);

@@ -398,7 +398,7 @@ void Window::begin_frame(bool with_pointer) {
 #endif
   }
   // Circles are of lines that leave them by so many of the window's units: less where the screen's pixels are smaller.
-  constexpr float of_a_pixel = 0.3f;
+  constexpr float of_a_pixel = 0.06f;  // the corners of a large circle could be seen
   ImGui::GetStyle().CircleTessellationMaxError = of_a_pixel / std::max(ImGui::GetIO().DisplayFramebufferScale.x, 1.0f);
   ImGui::NewFrame();
 }

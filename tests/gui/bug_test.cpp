@@ -151,6 +151,9 @@ TEST_CASE("a lesson's line at fault is clicked in the code") {
   CHECK(bench.state.lessons.right == 1);
   bench.key("Alt+Enter");
   CHECK(bench.state.walk.bug->mended);
+  bench.frames(2);
+  bench.click("bug-mend");  // breaks it again
+  CHECK_FALSE(bench.state.walk.bug->mended);
 }
 
 TEST_CASE("the demo of spot the bug finds it and shows the cure") {

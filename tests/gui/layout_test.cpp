@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "support/catch.h"
 
@@ -127,6 +128,29 @@ TEST_CASE("the room of code and tabs is divided as it was chosen, and gripped be
   wishes = {1280, 720, 1, 134, 413, 300};
   wishes.focus = true;
   CHECK(raywalk::lay_out(wishes).divider.empty());
+}
+
+TEST_CASE("effects and the band leave the plan what can be seen, in low windows too") {
+  for (const auto& [width, height] : {std::pair{1280.0f, 720.0f}, {960.0f, 540.0f}, {853.0f, 480.0f}}) {
+    raywalk::LayoutWishes wishes{width, height, 1, 150, 413, 300};
+    wishes.band = 70, wishes.effects = 130;
+    const Layout layout = raywalk::lay_out(wishes);
+    CAPTURE(width, height);
+    CHECK(faults(layout, width, height).empty());
+    CHECK(layout.plan.height > 0.35f * (height - layout.bar.height - layout.transport.height));
+    CHECK(layout.band.height > 0);
+  }
+}
+
+TEST_CASE("what has the plan's place keeps it in focus") {
+  raywalk::LayoutWishes wishes{1280, 720, 1, 134, 413, 300};
+  wishes.focus = true;
+  const Layout plan = raywalk::lay_out(wishes);
+  CHECK(plan.tabs.empty());
+  wishes.exchanged = true;
+  const Layout picture = raywalk::lay_out(wishes);
+  CHECK(picture.tabs == plan.plan);
+  CHECK(picture.plan.empty());
 }
 
 TEST_CASE("in a small window everything is drawn smaller, never below what can be read") {

@@ -49,3 +49,25 @@ TEST_CASE("a class's hands are counted by digits, and one too many counts nowher
   CHECK(bench.state.lessons.hands == std::vector<int>{1, 1});
   CHECK(bench.state.walk.grain == Grain::line);
 }
+
+TEST_CASE("after the answer Enter leads a presenter on, also from Move, where something was changed") {
+  Bench bench(at_two_choices(true));
+  bench.frames(2);
+  bench.key("Enter");
+  REQUIRE(bench.state.lessons.revealed);
+  const int step = bench.state.lessons.step;
+  update(bench.state, action::SetMode{Mode::move});
+  update(bench.state, action::Select{{TargetKind::eye}});
+  bench.frames(3);
+  bench.key("Enter");
+  CHECK((bench.state.lessons.at() == nullptr || bench.state.lessons.step == step + 1));
+  // A student's Enter is for the fields of what is selected.
+  Bench alone(at_two_choices(false));
+  alone.frames(2);
+  alone.key("2");
+  alone.key("Enter");
+  update(alone.state, action::SetMode{Mode::move});
+  alone.frames(3);
+  alone.key("Enter");
+  CHECK(alone.state.lessons.step == step);
+}

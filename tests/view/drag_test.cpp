@@ -136,6 +136,19 @@ TEST_CASE("a light with a radius has a handle for it, and no other light has") {
   CHECK(radius() == 0.4);
 }
 
+TEST_CASE("a polygon as small as its handles is taken hold of itself; seen larger, by its corners") {
+  State state = busy_state();
+  update(state, action::SetMode{Mode::move});
+  const Target corner{TargetKind::corner, 2, 0};
+  const Vec2d middle = pixels_of(state, {TargetKind::object, 2});
+  REQUIRE(items_of(plan_view(state, state.plan.viewport), corner).size() == 1);
+  update(state, action::Zoom{middle, 0.05});
+  CHECK(items_of(plan_view(state, state.plan.viewport), corner).empty());
+  CHECK(pick(state, state.plan.viewport, pixels_of(state, {TargetKind::object, 2})).kind != TargetKind::corner);
+  update(state, action::Zoom{pixels_of(state, {TargetKind::object, 2}), 20});
+  CHECK(items_of(plan_view(state, state.plan.viewport), corner).size() == 1);
+}
+
 TEST_CASE("a corner follows the pointer until edges would cross") {
   State state = busy_state();
   const Vec2d before = prism(state, 2).corner(1);

@@ -311,7 +311,7 @@ TEST_CASE("beside the hit stand its t and its angle while the equation is shown,
 TEST_CASE("where a ray is bent or mirrored, the plan writes both angles to the normal, apart from each other") {
   State state = walking("glass");
   update(state, action::SetTab{EquationRoom::tab});
-  int bent = 0, mirrored = 0;
+  int bent = 0, mirrored = 0, placed = 0, written_down = 0;
   for (int position = 1; position <= state.walk.timeline->steps(); ++position) {
     update(state, action::Jump{position});
     const auto* formed = std::get_if<RayFormed>(&state.walk.timeline->event(position - 1).detail);
@@ -335,13 +335,31 @@ TEST_CASE("where a ray is bent or mirrored, the plan writes both angles to the n
       CHECK(notes->angle_in.substr(notes->angle_in.find('=')) == notes->angle_out.substr(notes->angle_out.find('=')));
     }
     std::vector<TextItem> angles;
-    for (const DisplayItem& item : plan_view(state))
-      if (const auto* text = std::get_if<TextItem>(&item.shape); text != nullptr && text->text.find("\u03b8") == 0)
-        angles.push_back(*text);
+    std::vector<Vec2d> ways;  // from the hit to the text, or to where the line from it ends
+    const DisplayList list = plan_view(state);
+    const Vec2d at = to_pixels(state, plan(notes->at));
+    for (std::size_t i = 1; i < list.size(); ++i) {
+      const auto* text = std::get_if<TextItem>(&list[i].shape);
+      if (text == nullptr || text->text.find("\u03b8") != 0) continue;
+      const auto* leader = std::get_if<LineItem>(&list[i - 1].shape);
+      const bool is_led = leader != nullptr && leader->arrow == 0 && std::abs(length(leader->to - at) - 25) < 8;
+      angles.push_back(*text);
+      ways.push_back((is_led ? leader->to : text->at) - at);
+    }
     if (angles.size() != 2) continue;  // a ray that leaves the plan has no angle there
+    // On the side of the surface where its ray is, or beside it.
+    const Vec2d normal(notes->normal.x, -notes->normal.y), out(notes->out.x, -notes->out.y);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const bool is_inner = angles[i].text == notes->angle_out && notes->angle_in != notes->angle_out;
+      const double side = is_inner && dot(out, normal) < 0 ? -1 : 1;
+      placed += side * dot(ways[i], normal) > -0.35 * length(ways[i]);
+      ++written_down;
+    }
     const Vec2d apart = angles[0].at - angles[1].at;
     CHECK((std::abs(apart.x) > 20 || std::abs(apart.y) > 8));
   }
   CHECK(bent > 20);
   CHECK(mirrored > 20);
+  CHECK(written_down > 50);
+  CHECK(placed > 0.99 * written_down);  // the others are led to their arc from where there is room
 }

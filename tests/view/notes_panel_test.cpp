@@ -37,15 +37,19 @@ TEST_CASE("the notes hold every step's script, answer and next question, in ever
         CHECK_FALSE(panel.heading.empty());
         CHECK_FALSE(panel.time.empty());
         REQUIRE_FALSE(panel.parts.empty());
-        bool answered = false;
+        bool answered = false, tells_change = false;
         for (const NotesPanel::Part& part : panel.parts) {
           CHECK(part.text.find_first_of("*`") == std::string::npos);
+          tells_change = tells_change || part.title == text("lesson.change", language);
           answered = answered || (!part.later && part.text.find("\u2713") != std::string::npos);
         }
         // The answer of a choice is ticked, although the class has not seen it.
         const LessonPanel shown = lesson_panel(state);
         if (shown.asks == Asks::choice || shown.asks == Asks::number || shown.asks == Asks::line) CHECK(answered);
         CHECK(shown.presenter.empty());
+        const StepWords* said = state.lessons.open->lesson.told(language).find(state.lessons.at()->step->id);
+        REQUIRE(said != nullptr);
+        CHECK(tells_change == !said->change.text.empty());
         if (step + 1 < entry.steps) CHECK(panel.parts.back().later);
         ++steps;
       }

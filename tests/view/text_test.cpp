@@ -28,7 +28,7 @@ TEST_CASE("every message has a sentence of its own, every ending a sign of its o
 
 TEST_CASE("arguments stand where their numbers are") {
   CHECK(fill("question.unsaved_open", in_english, {{"file", "a"}, {"other", "b"}}).find("a has") == 0);
-  CHECK_THAT(fill("question.unsaved_open", in_english, {{"file", "a"}, {"other", "{0}"}}), contains("opening {0}?"));
+  CHECK_THAT(fill("question.unsaved_open", in_english, {{"file", "a"}, {"other", "{0}"}}), contains("opening “{0}”?"));
 }
 
 TEST_CASE("a title begins with a capital, also where its letter has an accent") {

@@ -1,5 +1,5 @@
-// The numbers of the live equation beside the hit: t along the ray, its angle to the normal; for a refracted or
-// reflected ray, the angles of both.
+// For a refracted or reflected ray, the angles of both to the normal; beside the equation also the numbers of any hit:
+// t along the ray, and its angle.
 
 #include "view/plan/painter.h"
 #include "view/walk/equation.h"
@@ -18,39 +18,61 @@ Vec2d on_screen(const Vec3d& direction) {
   return size > 1e-6 ? flat / size : Vec2d(0.0);
 }
 
-/// The arc from one direction to another, with its angle as text: between the two if there is room; else past the
-/// first, away from the second.
-void add_angle(Painter& painter, const Vec2d& at, const Vec2d& from, const Vec2d& to, const std::string& words) {
-  const double unit = painter.sizes.unit, begin = std::atan2(from.y, from.x);
-  const double turn = std::atan2(from.x * to.y - from.y * to.x, dot(from, to));
-  const double first = turn < 0 ? begin + turn : begin;
-  painter.add(ArcItem{at, 20 * unit, first, first + std::abs(turn), painter.stroke(painter.colours.normal, 1.4)});
-  constexpr double narrow = 0.7, aside = 0.6;  // radians
-  const double towards = std::abs(turn) > narrow ? begin + turn / 2 : begin - (turn < 0 ? -aside : aside);
-  const Vec2d middle(std::cos(towards), std::sin(towards));
-  painter.note_beside(at + 20 * unit * middle, middle, words);
+/// An arc from one direction to another at a point, and its angle as text.
+struct Angle {
+  Vec2d at, from, to;  ///< directions of unit length
+  std::string words;
+  static constexpr double narrow = 0.7;  ///< radians: the arc is farther out, the text beside it
+
+  [[nodiscard]] double begin() const { return std::atan2(from.y, from.x); }
+  [[nodiscard]] double turn() const { return std::atan2(from.x * to.y - from.y * to.x, dot(from, to)); }
+  [[nodiscard]] double radius(double unit) const { return (std::abs(turn()) > narrow ? 20 : 30) * unit; }
+};
+
+void draw_arc(Painter& painter, const Angle& angle) {
+  const double turn = angle.turn(), first = turn < 0 ? angle.begin() + turn : angle.begin();
+  const double radius = angle.radius(painter.sizes.unit);
+  painter.add(ArcItem{angle.at, radius, first, first + std::abs(turn), painter.stroke(painter.colours.normal, 1.4)});
+  painter.prominent.push_back({angle.at + radius * angle.from, angle.at + radius * angle.to});
+}
+
+/// Outside of the arc's middle; of a narrow one beside its beginning, away from its end.
+void say_angle(Painter& painter, const Angle& angle) {
+  constexpr double aside = 0.9;  // radians
+  const double turn = angle.turn(), radius = angle.radius(painter.sizes.unit);
+  const bool fits = std::abs(turn) > Angle::narrow;
+  const double out = angle.begin() + (fits ? turn / 2 : 0), towards = out - (fits ? 0 : std::copysign(aside, turn));
+  painter.note_beside(angle.at + radius * Vec2d(std::cos(out), std::sin(out)), {std::cos(towards), std::sin(towards)},
+                      angle.words);
+}
+
+/// The normal on both sides of the surface: all angles are relative to it.
+void draw_normal(Painter& painter, const Vec2d& at, const Vec2d& normal) {
+  const double reach = 62 * painter.sizes.unit;
+  Stroke thin = painter.stroke(painter.colours.normal, 1.2);
+  thin.dash = painter.scaled({{4, 4}, 2});
+  painter.add_clipped({at - reach * normal, at + reach * normal, thin});
+  painter.leaders.push_back({at - reach * normal, at + reach * normal});
 }
 
 void draw_bend(Painter& painter, const BendNotes& notes) {
   const Vec2d at = painter.pixels(plan(notes.at)), normal = on_screen(notes.normal), back = on_screen(notes.back),
               out = on_screen(notes.out);
   if (normal == Vec2d(0.0) || back == Vec2d(0.0) || out == Vec2d(0.0)) return;
-  const double unit = painter.sizes.unit;
-  // The normal on both sides of the surface: all angles are relative to it.
-  Stroke thin = painter.stroke(painter.colours.normal, 1.2);
-  thin.dash = painter.scaled({{4, 4}, 2});
-  painter.add_clipped({at - 62 * unit * normal, at + 62 * unit * normal, thin});
-  painter.prominent.push_back({at - 62 * unit * normal, at + 62 * unit * normal});
-  add_angle(painter, at, back, normal, notes.angle_in);
-  add_angle(painter, at, out, dot(out, normal) < 0 ? -normal : normal, notes.angle_out);
+  draw_normal(painter, at, normal);
+  const Angle angles[]{{at, back, normal, notes.angle_in},
+                       {at, out, dot(out, normal) < 0 ? -normal : normal, notes.angle_out}};
+  for (const Angle& angle : angles) draw_arc(painter, angle);
+  for (const Angle& angle : angles) say_angle(painter, angle);
 }
 
 }  // namespace
 
 void EquationRoom::draw_in_plan(Painter& painter) {
   const State& state = painter.state;
-  if (state.walk.mode != Mode::trace || state.appearance.tab != EquationRoom::tab) return;
+  if (state.walk.mode != Mode::trace) return;
   if (const std::optional<BendNotes> bend = bend_notes(state)) return draw_bend(painter, *bend);
+  if (state.appearance.tab != EquationRoom::tab) return;
   const HitNotes notes = hit_notes(state);
   if (notes.t.empty()) return;
   const RayRecord& ray =
@@ -61,7 +83,11 @@ void EquationRoom::draw_in_plan(Painter& painter) {
   const Vec2d back = (from - hit) / size;
   const double facing = dot(ray.normal, ray.direction) > 0 ? -1 : 1;
   const Vec2d normal = on_screen(facing * ray.normal);
-  if (!notes.angle.empty() && normal != Vec2d(0.0)) add_angle(painter, hit, back, normal, notes.angle);
+  if (!notes.angle.empty() && normal != Vec2d(0.0)) {
+    draw_normal(painter, hit, normal);
+    draw_arc(painter, {hit, back, normal, notes.angle});
+    say_angle(painter, {hit, back, normal, notes.angle});
+  }
   painter.note_along(from, hit, notes.t);
 }
 

@@ -134,7 +134,7 @@ LessonPanel lesson_panel(const State& state) {
   const Language language = state.appearance.language;
   LessonPanel panel;
   const auto word = [&](std::string_view w) { return std::string(text(w, language)); };
-  if (sitting.judged > 0)
+  if (sitting.judged > 0 && !sitting.presenter)  // a class counts its hands
     panel.score = fmt::format("{} {} {} {}", sitting.right, word("lesson.of"), sitting.judged, word("lesson.score"));
   const PlayedStep* step = sitting.at();
   if (step == nullptr) {

@@ -111,7 +111,8 @@ void stage(State& state) {
   const std::optional<PixelWalk> pixel = pixel_of(walk);
   const bool stays = is_staged(state) && !(state.walk.bug && state.walk.bug->mended);
   if (!stays) {
-    forget_autosave(state);  // changes during a lesson belong to the lesson
+    state.walk.grain = Grain::line;  // the step's words are of lines
+    forget_autosave(state);          // changes during a lesson belong to the lesson
     state.picture.settings.single_precision = false;
     state.picture.settings.integrator.reset();
     state.picture.settings.walk_samples = 1;

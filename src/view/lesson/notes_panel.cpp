@@ -57,6 +57,7 @@ NotesPanel notes_panel(const State& state) {
     if (step.step->question) add(panel, word("lesson.script_ask"), question_with_answer(played, index, *said, told_in));
     add(panel, word("lesson.reveal"), filled_at(index, said->reveal, step.shown));
     add(panel, word("lesson.script_say"), script.after);
+    add(panel, word("lesson.change"), filled_at(index, said->change, step.shown));
     add(panel, word("lesson.teacher"), filled_at(index, said->teacher, step.shown));
   }
   for (std::size_t i = index + 1; i < played.steps.size(); ++i) {

@@ -1,6 +1,7 @@
 #include "math/overloaded.h"
 #include "view/plan/painter.h"
 
+#include <algorithm>
 #include <numbers>
 
 namespace raywalk {
@@ -41,6 +42,17 @@ void draw_view_direction(Painter& painter) {
   draw_dot(painter, target);
 }
 
+/// A body as small as its handles could not be taken hold of itself: its corners wait until it is seen larger.
+bool has_room_for_corners(const Painter& painter, const Prism<double>& prism) {
+  Vec2d low(prism.corners.front()), high = low;
+  for (const Vec2d& corner : prism.corners) {
+    low = {std::min(low.x, corner.x), std::min(low.y, corner.y)};
+    high = {std::max(high.x, corner.x), std::max(high.y, corner.y)};
+  }
+  const Vec2d size = high - low;
+  return painter.pixels(std::max(size.x, size.y)) >= 5 * painter.sizes.handle;
+}
+
 }  // namespace
 
 void draw_handles(Painter& painter) {
@@ -57,6 +69,7 @@ void draw_handles(Painter& painter) {
                    [](const auto&) {},
                    [&](const Prism<double>& prism) {
                      draw_rotation(painter, {TargetKind::rotation, index}, prism);
+                     if (!has_room_for_corners(painter, prism)) return;
                      for (int corner = 0; corner < prism.sides(); ++corner)
                        draw_dot(painter, {TargetKind::corner, index, corner});
                    },

@@ -309,7 +309,7 @@ class Places {
 
   /// The cost of the rays under a name. That of a symbol stays near.
   [[nodiscard]] double lined(const PixelRect& box) const {
-    return area_ * std::min(4 * rays_.of(box), thing_.body ? 0.6 : 0.2);
+    return area_ * std::min(4 * rays_.of(box), thing_.body ? 0.9 : 0.4);
   }
 
   /// Whether another text's leader line would cross it.

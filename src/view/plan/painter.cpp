@@ -241,8 +241,10 @@ bool Painter::note_near(const Vec2d& of, const Vec2d& away, const std::string& t
   };
   const std::size_t before = list.size();
   const bool is_there = note(places, text, [&](const Vec2d& at) {
+    if (std::find(first.begin(), first.end(), at) != first.end()) return 0.0;
     const std::optional<Vec2d> edge = leader(at);
-    if (!edge) return 0.0;
+    const double turned = 1 - dot(at - of, away) / std::max(length(at - of), 1e-9);  // 0: not at all
+    if (!edge) return turned;
     const bool from_its_side = dot(*edge - of, away) >= -1e-9;
     const bool runs_over = std::any_of(kept_free.begin(), kept_free.end(), [&](const PixelRect& taken) {
       return !(from_its_side && around == taken) && taken.meets(*edge, of);
@@ -250,8 +252,14 @@ bool Painter::note_near(const Vec2d& of, const Vec2d& away, const std::string& t
     const bool crosses = std::any_of(leaders.begin(), leaders.end(),
                                      [&](const auto& other) { return cross_each_other({*edge, of}, other); });
     if (runs_over || crosses) return std::numeric_limits<double>::infinity();
-    constexpr double of_body = 0.05;  // of a unit of the line inside one
-    return (length(*edge - of) > 50 * sizes.unit ? 1.0 : 0.0) + of_body * inside_bodies(*edge, of) / sizes.unit;
+    // What it is of may lie on a ray itself.
+    const double size = length(*edge - of);
+    const std::array line{*edge, of + std::min(3 * sizes.unit / size, 1.0) * (*edge - of)};
+    const auto rays =
+        std::count_if(prominent.begin(), prominent.end(), [&](const auto& ray) { return cross_each_other(line, ray); });
+    constexpr double of_crossing = 3, of_body = 0.05;  // of a unit of the line inside one
+    return turned + of_crossing * static_cast<double>(rays) +
+           (size / 60 + of_body * inside_bodies(*edge, of)) / sizes.unit;
   });
   if (!is_there) return false;
   if (const std::optional<Vec2d> edge = leader(std::get<TextItem>(list.back().shape).at)) {
@@ -285,7 +293,9 @@ void Painter::note(const Vec2d& at, const std::string& text) {
   const double size = sizes.text;
   const Vec2d half = half_of_note(text, size);
   add(TextItem{at, text, size, colours.text, TextAnchor::middle, halo()});
-  kept_free.push_back({at - half, at + half});
+  // Another text just above or below it would be read as its next line.
+  const Vec2d clear = half + Vec2d(0, 0.3 * size);
+  kept_free.push_back({at - clear, at + clear});
 }
 
 Vec2d Painter::seen_middle(Vec2d from, Vec2d to) const {

@@ -42,8 +42,8 @@ class Painter {
   DisplayList list;
   std::vector<PixelRect> kept_free;             ///< not used by labels
   std::vector<PixelRect> unnamed;               ///< not used by names, but their leaders may cross it
-  std::vector<std::array<Vec2d, 2>> prominent;  ///< rays of the current pixel, normals, sides of beams at work
-  std::vector<std::array<Vec2d, 2>> leaders;    ///< from notes to what they are of
+  std::vector<std::array<Vec2d, 2>> prominent;  ///< rays of the current pixel, normals, sides of beams at work, arcs
+  std::vector<std::array<Vec2d, 2>> leaders;    ///< from notes to what they are of, and normals of angles: not crossed
   std::vector<Vec2d> frame;                     ///< closed, if the plan has one: drawings stay inside of it
 
   [[nodiscard]] const Scene& scene() const { return state.scene(); }
@@ -69,8 +69,8 @@ class Painter {
   /// The same, but on no outline of a body at all.
   bool note_off_bodies(const std::vector<Vec2d>& places, const std::string& text);
   /// The same beside a point, as near as possible and farther away with a line to it, which runs over nothing that is
-  /// kept free, nor over another such line, and rather over no body. `away`: preferably in this direction, of unit
-  /// length. Returns whether it is there.
+  /// kept free, nor over another such line, and rather over no ray and no body. `away`: preferably in this direction,
+  /// of unit length. Returns whether it is there.
   /// `around`: what is kept free around the point itself, which the line may enter from its side.
   bool note_beside(const Vec2d& of, const Vec2d& away, const std::string& text,
                    const std::optional<PixelRect>& around = {});

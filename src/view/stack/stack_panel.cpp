@@ -110,7 +110,7 @@ StackPanel stack_panel(const State& state) {
                                            state.appearance.language, {{"depth", frame.depth}});
     row.ray = ray_text(state, ray);
     row.ray_index = ray_index;
-    if (ray.object >= 0) row.object = object_name(state, ray.object);
+    if (ray.object >= 0 && ray.found_at <= state.walk.position) row.object = object_name(state, ray.object);
     const bool returns_now = returning && call == calls.front();
     row.waiting = returns_now ? fill("stack.returns", state.appearance.language,
                                      {{"colour", colour_text(frame.returned, state.appearance.language)}})

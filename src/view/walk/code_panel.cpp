@@ -10,7 +10,8 @@ namespace raywalk {
 namespace {
 
 Blame blame_of(const State& state, Line line) {
-  if (state.walk.bug && state.walk.bug->known && faulty_line(state.walk.bug->fault) == line) return Blame::at_fault;
+  const std::optional<Bug>& bug = state.walk.bug;
+  if (bug && bug->known && !bug->mended && faulty_line(bug->fault) == line) return Blame::at_fault;
   return marked_line(state) == line ? Blame::marked : Blame::none;
 }
 

@@ -11,7 +11,9 @@ namespace raywalk {
 HitNotes hit_notes(const State& state) {
   const Timeline& timeline = *state.walk.timeline;
   const int index = timeline.current_ray(state.walk.position);
-  if (index < 0) return {};
+  const Event* event = timeline.just_run(state.walk.position);
+  // A pixel that is done has been about more than its first ray.
+  if (index < 0 || event == nullptr || event->line == Line::put_final_shade) return {};
   const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(index)];
   if (!ray.formed || ray.found_at > state.walk.position || ray.object < 0) return {};
   const auto* found = std::get_if<Found>(&timeline.event(ray.found_at - 1).detail);
