@@ -3,8 +3,29 @@
 #include "gui/widgets.h"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
 
 namespace raywalk {
+
+namespace {
+
+// A sign of a formula stays in the line of what follows it.
+std::string with_formulas_together(std::string line) {
+  constexpr std::array<std::string_view, 11> signs{"=",      "+", "\u2212", "-",      "/",     "\u00b7",
+                                                   "\u00d7", "<", ">",      "\u2264", "\u2265"};
+  constexpr std::string_view no_break = "\u00a0";
+  for (std::size_t at = line.find(' '); at != std::string::npos; at = line.find(' ', at + 1)) {
+    const std::size_t before = at == 0 ? std::string::npos : line.rfind(' ', at - 1);
+    const std::size_t begin = before == std::string::npos ? 0 : before + 1;
+    const std::string_view word = std::string_view(line).substr(begin, at - begin);
+    if (std::find(signs.begin(), signs.end(), word) != signs.end()) line.replace(at, 1, no_break);
+  }
+  return line;
+}
+
+}  // namespace
 
 void prose(const Ui& ui, Colour colour, const std::string& text) {
   std::string plain;
@@ -26,7 +47,7 @@ void prose(const Ui& ui, Colour colour, const std::string& text) {
                                                   to_imgui(colour));
       ImGui::Indent(ui.px(16));
     }
-    paragraph(colour, line);
+    paragraph(colour, with_formulas_together(std::move(line)));
     if (item) ImGui::Unindent(ui.px(16));
   }
 }

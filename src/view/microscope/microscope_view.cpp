@@ -344,6 +344,9 @@ void Drawing::label(const Vec2d& at, double clear, const std::string& words) {
       if (best && covered >= least) continue;
       best = middle, least = covered;
     }
+  // In a small pane the table says which sign is whose; letters over letters say nothing.
+  constexpr double most = 0.3;  // of the label, covered
+  if (least > most * 4 * half.x * half.y + 4) return;
   const PixelRect box{*best - half, *best + half};
   painter_.kept_free.push_back(box);
   draw_letters(painter_, *best, letters, painter_.colours.text, painter_.halo());

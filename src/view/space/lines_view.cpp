@@ -78,8 +78,9 @@ class Lines {
     if (!in_full && !endless) return draw_simply(object, target, painter_.outline(target, colour.with_alpha(120), 0.6));
     const std::vector<Polyline> curves = outline_of(object, room_);
     constexpr std::size_t many_curves = 200;  // of a mesh, which would hide what is behind it
-    const bool faint = endless || curves.size() > many_curves;
-    const Stroke stroke = painter_.outline(target, colour.with_alpha(faint ? 70 : 190), faint ? 0.6 : 1);
+    const bool many = curves.size() > many_curves, is_group = std::holds_alternative<Instance>(object.shape);
+    const bool faint = endless || (many && !is_group);
+    const Stroke stroke = painter_.outline(target, colour.with_alpha(faint ? 70 : many ? 130 : 190), faint ? 0.6 : 1);
     for (const Polyline& curve : curves)
       for (std::size_t k = 1; k < curve.size(); ++k) line(curve[k - 1], curve[k], stroke, target);
   }
