@@ -32,7 +32,7 @@ struct BinaryTree {
   static constexpr std::size_t max_depth = 64, most_levels = max_depth + 31;
 
   std::vector<BinaryNode> nodes;  ///< the root is the first
-  std::vector<TreeItem> items;    ///< those that were split more than once
+  std::vector<TreeItem> items;    ///< of those that were split, every part
   MeetingChance chance;           ///< within the root
 };
 

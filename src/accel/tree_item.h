@@ -24,8 +24,8 @@ struct Tally {
   static Tally of(const TreeItem& item) { return {item.packed, 1 - item.packed}; }
   [[nodiscard]] std::int32_t all() const { return packed + others; }
   [[nodiscard]] float leaf_cost() const {
-    return cost_of_pack * static_cast<float>((packed + 7) / static_cast<std::int32_t>(tree_width)) +
-           static_cast<float>(others);
+    constexpr auto lanes = static_cast<std::int32_t>(tree_width);
+    return cost_of_pack * static_cast<float>((packed + lanes - 1) / lanes) + static_cast<float>(others);
   }
   /// Of what may be split further: how many of the last pack's places will be left empty is not known.
   [[nodiscard]] float expected_cost() const {

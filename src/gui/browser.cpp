@@ -108,7 +108,12 @@ void Browser::accept(const Ui& ui) {
   focus_typed_ = true;  // if it fails, another name follows
   typed_ = name();
   const fs::path typed(typed_);
-  const std::string path = typed.is_absolute() ? typed_ : (fs::path(folder_) / typed).string();
+  std::string path = typed.is_absolute() ? typed_ : (fs::path(folder_) / typed).string();
+  // A shipped scene by its name, as on the command line.
+  const std::string shipped = shipped_path(ui.state, typed_);
+  std::error_code none;
+  if (opens(asking_) && !fs::exists(path, none) && !typed.has_parent_path() && fs::exists(shipped, none))
+    path = shipped;
   if (opens(asking_)) ui.act(action::Open{path});
   if (asking_ == PathPrompt::save_as) ui.act(action::SaveAs{path});
   if (asking_ == PathPrompt::save_predictions) ui.act(action::SavePredictions{path});

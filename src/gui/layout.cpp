@@ -63,20 +63,26 @@ Layout lay_out_upright(const LayoutWishes& wishes) {
   const bool two_lines = one_column || wishes.bar_width > width;
   if (!wishes.bare) layout.bar = {0, 0, width, take(height, (two_lines ? 76 : 44) * unit)};
   const float top = wishes.bare ? 0 : std::min(layout.bar.bottom() + line, height), below = height - top;
-  // In one column the lesson stands below the walk, and is not folded away.
-  const bool folds = wishes.focus && !(one_column && wishes.front == Front::lesson);
+  // In focus a question stands below the walk, where there is room for it; in one column so does any lesson.
+  const bool asks = wishes.focus && !one_column && wishes.lesson > 2 * folded_width * unit;
+  const bool folds = wishes.focus && !asks && !(one_column && wishes.front == Front::lesson);
   // Where effects or the band are shown too, the code scrolls rather than that the plan is a slit.
   constexpr float least_plan = 220;
   const float walk = wishes.transport + std::max(wishes.strip, 42 * unit) + wishes.band + wishes.effects;
   const float code = std::min(std::max(tight_code * wishes.code, below * 0.4f), below - walk - least_plan * unit);
   const float low = folds        ? take(below / 8, folded_width * unit)
+                    : asks       ? take(below, below * 0.4f)
                     : one_column ? take(below, below * (wishes.front == Front::lesson ? 0.48f : 0.42f))
                                  : take(below * 0.5f, std::max(code, below * 0.3f));
-  const float lesson = wishes.lesson > 0 && !one_column ? take(width * 0.5f - line, wishes.lesson) : 0.0f;
+  const float lesson = wishes.lesson > 0 && !one_column && !asks ? take(width * 0.5f - line, wishes.lesson) : 0.0f;
   lay_out_walk(wishes, lesson, top, std::max(height - low - line, top), width, layout);
   const Rect lower{0, height - low, width, low};
   if (folds) {
     layout.folded = lower;
+    return layout;
+  }
+  if (asks) {
+    layout.lesson = lower;
     return layout;
   }
   if (one_column) {

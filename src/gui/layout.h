@@ -36,8 +36,8 @@ struct Layout {
 struct LayoutWishes {
   float width = 1280, height = 720;  ///< of the window
   float unit = 1;                    ///< units per unit at scale 1
-  float transport = 0;               ///< wanted by the transport
-  float code = 0;                    ///< wanted by the code
+  float transport = 0;               ///< height wanted by the transport
+  float code = 0;                    ///< height wanted by the code
   float code_width = 0;              ///< width wanted by the code
   float lesson = 0;                  ///< width wanted by the lesson; 0: none is shown
   float bar_width = 0;               ///< width wanted by menus and buttons in one line

@@ -67,7 +67,7 @@ void transport_pane(const Ui& ui, const Rect& where);
 /// Height that the transport needs at this width.
 [[nodiscard]] float transport_height(const Ui& ui, float width);
 
-/// The two boxes of pseudocode. Scrolls to the important lines if there is not enough room.
+/// The boxes of pseudocode, one a procedure. Scrolls to the important lines if there is not enough room.
 void code_pane(const Ui& ui, const Rect& where);
 [[nodiscard]] float code_height(const Ui& ui);
 [[nodiscard]] float code_width(const Ui& ui);

@@ -64,7 +64,7 @@ using PutPixel = std::function<void(const Pixel&, const Rgb<T>&)>;
 template <class T>
 using Kernel = Statistics (*)(const World<T>& world, const RayGenerator<T>& camera, const PixelBlock& block,
                               const PutPixel<T>& put);
-/// The kernel for exactly the world's effects.
+/// The smallest kernel that is compiled with all of the world's effects.
 [[nodiscard]] Kernel<float> kernel_for(const World<float>& world);
 [[nodiscard]] Kernel<double> kernel_for(const World<double>& world);
 /// Runs it.

@@ -47,8 +47,8 @@ inline constexpr Word<Procedure> words_of<Procedure>[] = {{Procedure::main_algor
                                                           {Procedure::shade_pencil, "SHADE PENCIL (DEPTH, RTNSHADE)"}};
 
 /// The lines of the procedures, in the order shown on the screen. Each text is also the comment that heads its
-/// statement in trace/tracer.h, trace/path.h, trace/photons.h, trace/radiosity.h, trace/beams.h, trace/cones.h or
-/// trace/pencils.h; a test holds the two together, and another each to its translations.
+/// statement in trace/tracer.h, path.h, photons.h, radiosity.h, beams.h and space_beams.h, cones.h or pencils.h; a test
+/// holds the two together, and another each to its translations.
 enum class Line {
   for_each_pixel,
   form_primary_ray,

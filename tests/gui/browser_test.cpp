@@ -174,6 +174,26 @@ TEST_CASE("a path is typed, and Enter takes it") {
   CHECK(bench.last<action::Open>()->path == scenes / "inner/c.toml");
 }
 
+TEST_CASE("a shipped scene is opened by its name, unless a file of this folder has it") {
+  const Scenes scenes;
+  Folder shipped;
+  shipped.put("sphereflake.toml", "");
+  Bench bench(asking(scenes / "a.toml", action::AskOpen{}));
+  bench.state.lessons.scenes_folder = shipped.path();
+  bench.frames(4);
+  bench.obedient = false;
+  bench.type("sphereflake");
+  bench.enter();
+  REQUIRE(bench.last<action::Open>() != nullptr);
+  CHECK(bench.last<action::Open>()->path == shipped / "sphereflake.toml");
+  bench.type("b.toml");
+  bench.enter();
+  CHECK(bench.last<action::Open>()->path == scenes / "b.toml");
+  bench.type("nowhere");
+  bench.enter();
+  CHECK(bench.last<action::Open>()->path == scenes / "nowhere");
+}
+
 TEST_CASE("saving begins with the file's own name and folder") {
   const Scenes scenes;
   Bench bench(asking(scenes / "b.toml", action::AskSaveAs{}));

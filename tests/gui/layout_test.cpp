@@ -142,6 +142,19 @@ TEST_CASE("effects and the band leave the plan what can be seen, in low windows 
   }
 }
 
+TEST_CASE("in focus, in an upright window, a question stands below the walk") {
+  raywalk::LayoutWishes wishes{768, 1024, 1, 134, 413, 300};
+  wishes.focus = true;
+  wishes.lesson = 330;
+  const Layout layout = raywalk::lay_out(wishes);
+  CHECK(faults(layout, 768, 1024).empty());
+  CHECK(layout.plan.width == 768);
+  CHECK(layout.lesson.width == 768);
+  CHECK(layout.lesson.y > layout.transport.bottom());
+  CHECK(layout.plan.height > 300);
+  CHECK(layout.lesson.height > 300);
+}
+
 TEST_CASE("what has the plan's place keeps it in focus") {
   raywalk::LayoutWishes wishes{1280, 720, 1, 134, 413, 300};
   wishes.focus = true;

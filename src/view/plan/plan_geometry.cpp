@@ -1,6 +1,7 @@
 #include "view/plan/plan_geometry.h"
 
 #include "math/overloaded.h"
+#include "view/action.h"
 #include "view/plan/plan_view.h"
 
 #include <algorithm>
@@ -176,6 +177,47 @@ Vec2d rotation_place(const State& state, const Target& target, const Prism<doubl
 }
 
 }  // namespace
+
+bool exists(const State& state, const Target& target) {
+  const Scene& scene = state.scene();
+  const auto within = [&](std::size_t size) {
+    return target.index >= 0 && static_cast<std::size_t>(target.index) < size;
+  };
+  const auto shape = [&]<class S>(std::in_place_type_t<S>) -> const S* {
+    if (!within(scene.objects.size())) return nullptr;
+    const Object& object = scene.objects[static_cast<std::size_t>(target.index)];
+    return object.transform.empty() ? std::get_if<S>(&object.shape) : nullptr;  // transformed shapes have no handles
+  };
+  switch (target.kind) {
+    case TargetKind::nothing:
+    case TargetKind::eye:
+    case TargetKind::view_direction:
+    case TargetKind::screen_distance:
+      return true;
+    case TargetKind::screen_height:
+      return target.part == 0 || target.part == 1;
+    case TargetKind::cell:
+      return target.index >= 0 && target.index < scene.camera.screen.cells;
+    case TargetKind::object:
+      return within(scene.objects.size());
+    case TargetKind::radius:
+      return shape(std::in_place_type<Sphere<double>>) != nullptr;
+    case TargetKind::corner:
+    case TargetKind::edge: {
+      const auto* prism = shape(std::in_place_type<Prism<double>>);
+      return prism != nullptr && target.part >= 0 && target.part < prism->sides();
+    }
+    case TargetKind::rotation:
+      return shape(std::in_place_type<Prism<double>>) != nullptr;
+    case TargetKind::light:
+      return within(scene.lights.size());
+    case TargetKind::light_radius:
+      return within(scene.lights.size()) && has_radius(scene.lights[static_cast<std::size_t>(target.index)]);
+    case TargetKind::ray:
+      return within(state.walk.timeline->rays().size());
+  }
+  return false;
+}
 
 Vec2d place_of(const State& state, const Target& target, const Viewport& viewport) {
   const Scene& scene = state.scene();
