@@ -147,9 +147,8 @@ void microscope_tab(const Ui& ui, const Rect& where, Kept& kept) {
   Rect slide{where.x, top, where.width, where.bottom() - top}, table = slide;
   if (wide) {
     // A narrow table needs its share more than the drawing does, unless that is too low for its labels.
-    slide.width = std::floor(where.width * (slide.height < ui.px(150)  ? 0.6f
-                                            : where.width < ui.px(480) ? 0.5f
-                                                                       : 0.54f));
+    const bool is_low = slide.height < ui.px(150) && where.width > ui.px(260);
+    slide.width = std::floor(where.width * (is_low ? 0.58f : where.width < ui.px(480) ? 0.5f : 0.54f));
     table.x = slide.right() + ui.px(14);
     table.width = where.right() - table.x;
   } else {
