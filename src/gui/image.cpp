@@ -151,6 +151,11 @@ void image_tab(const Ui& ui, const Rect& where, TabContext& context) {
     pop_font();
     return;
   }
+  if (tells_lessons_answer(ui.state)) {
+    paragraph(ui.colours.dim_text, ui.say("lesson.predict_first"));
+    pop_font();
+    return;
+  }
   const Heat heat = ui.state.picture.settings.heat;
   const float legend = heat == Heat::none ? 0 : 2 * line + ui.px(6);
   Rect room{where.x + side, where.y + ui.px(2), where.width - 2 * side, where.height - line - ui.px(10) - legend};

@@ -87,7 +87,10 @@ void Interface::press(const State& state, const Fonts& fonts, float unit, float 
   // This ImGui accepts only Space to press the item chosen with the arrows.
   if (shown_menu_ >= 0 && key.key == "Enter") ImGui::GetIO().NavInputs[ImGuiNavInput_Activate] = 1;
 #endif
-  if (!asks && (ImGui::GetIO().WantTextInput || menu_open)) return;
+  // In a lesson's field for a number, capitals are commands.
+  const bool is_capital = key.key.size() == 1 && key.key[0] >= 'A' && key.key[0] <= 'Z' && key.shift && !key.ctrl;
+  const bool types = ImGui::GetIO().WantTextInput && !(lesson_.types() && is_capital);
+  if (!asks && (types || menu_open)) return;
   press_key(key, with);
   grant(with);
 }
@@ -134,8 +137,8 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   wishes.code_width = code_width(with);
   wishes.bar_width = bar_width(with);
   const bool helps = state.walk.mode == Mode::help;
-  // A line that a lesson asks for is clicked in the code.
-  const bool needs_code = state.lessons.shown && !state.bugs.hunt && asks_for_line(state);
+  // A line that a lesson asks for is clicked in the code, and marked there with the answer.
+  const bool needs_code = !state.bugs.hunt && asks_about_code(state);
   wishes.focus = state.focus.on && !helps && !embedded && !needs_code;
   const bool asks = state.bugs.shown || has_question(state);
   if ((state.lessons.shown || state.bugs.shown) && !helps)

@@ -297,7 +297,7 @@ void LessonPane::draw(const Ui& ui, const Rect& where) {
         if (!is_low)
           ImGui::SetScrollHereY(0.35f);
         else  // at the top, and nothing of the last choice, which would be cut and so be blank
-          ImGui::SetScrollFromPosY(ImGui::GetCursorPosY() - ImGui::GetScrollY(), 0);
+          ImGui::SetScrollFromPosY(ImGui::GetCursorPosY() - ImGui::GetScrollY() - ui.px(12), 0);  // below the mark
       }
       answer(ui, panel);
       // Where the question has scrolled away, below what speaks of it.
@@ -336,7 +336,12 @@ bool lesson_by_key(const KeyPress& press, const Ui& ui) {
     ui.act(action::GuessChoice{digit});
     return true;
   }
-  // A digit too many is a slip of the hand, and must not change what a step is.
+  // Digits beside the field of a number that is asked for are meant for it.
+  if (panel.asks == Asks::number && !state.lessons.revealed && !panel.astray && digit >= -1 && digit < 9 &&
+      press.key.size() == 1 && press.key[0] >= '0' && press.key[0] <= '9')
+    return true;
+  // A digit too many, or a class's hand too late, is a slip, and must not change what a step is.
+  if (panel.asks == Asks::choice && state.lessons.presenter && digit >= 0 && digit < 9) return true;
   if (panel.asks == Asks::choice && !state.lessons.revealed && !panel.astray && digit >= 0 && digit < 9) return true;
   if (panel.asks == Asks::choice && !state.lessons.revealed && !panel.astray &&
       (press.key == "Up" || press.key == "Down")) {

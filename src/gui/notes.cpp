@@ -1,5 +1,6 @@
 #include "gui/notes.h"
 
+#include "gui/broken_lines.h"
 #include "gui/style.h"
 #include "gui/ui.h"
 
@@ -19,9 +20,10 @@ class Column {
       : draw_(draw), x_(x), y_(y), width_(width), scale_(scale) {}
   void add(const Fonts& fonts, ImFont* font, Colour colour, const std::string& text, float gap) {
     const float size = line_height(fonts, *font) * scale_;
-    if (draw_ != nullptr)
-      draw_->AddText(font, size, {x_, y_}, to_imgui(colour), text.c_str(), text.c_str() + text.size(), width_);
-    y_ += font->CalcTextSizeA(size, FLT_MAX, width_, text.c_str()).y + gap * scale_ * line_height(fonts, *fonts.text);
+    const std::string lines = in_lines(
+        text, [&](const std::string& line) { return font->CalcTextSizeA(size, FLT_MAX, 0, line.c_str()).x <= width_; });
+    if (draw_ != nullptr) draw_->AddText(font, size, {x_, y_}, to_imgui(colour), lines.c_str());
+    y_ += font->CalcTextSizeA(size, FLT_MAX, 0, lines.c_str()).y + gap * scale_ * line_height(fonts, *fonts.text);
   }
   [[nodiscard]] float bottom() const { return y_; }
 
@@ -47,11 +49,12 @@ std::string elapsed_text(double seconds) {
   return fmt::format("{}:{:02}", whole / 60, whole % 60);
 }
 
-void draw_notes(const NotesPanel& panel, const Fonts& fonts, Theme theme, const std::string& clock) {
+float draw_notes(const NotesPanel& panel, const Fonts& fonts, Theme theme, const std::string& clock, float grown) {
   const Palette& colours = palette(theme);
   const ImVec2 extent = ImGui::GetIO().DisplaySize;
   ImDrawList& draw = *ImGui::GetBackgroundDrawList();
-  const float title = line_height(fonts, *fonts.title), small = line_height(fonts, *fonts.small), margin = title;
+  const float title = line_height(fonts, *fonts.title) / grown, small = line_height(fonts, *fonts.small) / grown;
+  const float margin = title;
   draw.AddRectFilled({0, 0}, extent, to_imgui(colours.panel));
   // The clock at the right, the lesson at the left, its plan below it.
   const float clock_width = fonts.title->CalcTextSizeA(title, FLT_MAX, 0, clock.c_str()).x;
@@ -63,11 +66,15 @@ void draw_notes(const NotesPanel& panel, const Fonts& fonts, Theme theme, const 
   draw.AddLine({0, top}, {extent.x, top}, to_imgui(Shades(theme).line));
   const float width = std::max(extent.x - 2 * margin, 1.0f);
   constexpr float largest = 1.6f, smallest = 0.4f, step = 0.95f;
-  float scale = largest;
-  while (scale > smallest &&
+  float scale = largest / grown;
+  while (scale > smallest / grown &&
          draw_parts(panel, fonts, colours, Column(nullptr, margin, top + margin / 2, width, scale)) > extent.y)
     scale *= step;
-  draw_parts(panel, fonts, colours, Column(&draw, margin, top + margin / 2, width, scale));
+  // Nearly as large as the fonts' own size: at that, for it is sharp.
+  constexpr float near = 1.06f;
+  const float drawn = scale >= 1 && scale <= near ? 1 : scale;
+  draw_parts(panel, fonts, colours, Column(&draw, margin, top + margin / 2, width, drawn));
+  return scale * grown;
 }
 
 }  // namespace raywalk

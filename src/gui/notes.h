@@ -16,8 +16,9 @@ class Window;
 [[nodiscard]] std::string elapsed_text(double seconds);
 
 /// Draws notes over the whole of ImGui's display, as large as they fit. `clock`: the time of day and since the lesson
-/// began.
-void draw_notes(const NotesPanel& panel, const Fonts& fonts, Theme theme, const std::string& clock);
+/// began. `grown`: how much larger than usual the fonts are. Returns how much larger they would have to be for letters
+/// that fit and are sharp, because they are drawn as large as they are.
+float draw_notes(const NotesPanel& panel, const Fonts& fonts, Theme theme, const std::string& clock, float grown = 1);
 
 class NotesWindow {
  public:

@@ -97,6 +97,8 @@ class BreakpointsPopup {
 class LessonPane {
  public:
   void draw(const Ui& ui, const Rect& where);
+  /// Whether its field for a number has the keyboard.
+  [[nodiscard]] bool types() const { return types_; }
 
  private:
   void question(const Ui& ui, const LessonPanel& panel, bool is_new, bool is_low);

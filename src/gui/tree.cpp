@@ -220,7 +220,7 @@ void draw_caption(const Ui& ui, const std::string& caption, const Rect& seen) {
 int ray_tree(const Ui& ui, const Rect& where, int& centred_on) {
   const TreePanel tree = tree_panel(ui.state);
   if (tree.nodes.empty()) {
-    paragraph(ui.colours.dim_text, ui.say(ui.state.walk.position == 0 ? "tree.empty" : "stack.no_pixel"));
+    paragraph(ui.colours.dim_text, tree.empty);
     return -1;
   }
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});

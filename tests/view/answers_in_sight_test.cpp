@@ -503,3 +503,24 @@ TEST_CASE("while a lesson asks, no search is stepped through") {
   CHECK_THAT(reveal, test::contains("Against " + numbers[1]));
   CHECK_THAT(reveal, test::contains(numbers[0] + " node"));
 }
+
+TEST_CASE("the 3-D image waits for the answer where the question is about pictures that are not shown") {
+  State state = raywalk::test::state_with_lessons();
+  update(state, action::SetLessonOptions{false, true});
+  update(state, action::OpenLesson{"13-whitted-to-path-tracing"});
+  int held = 0;
+  for (int step = 0; state.lessons.at() != nullptr; update(state, action::GoToLessonStep{++step})) {
+    const bool about_pictures = !state.lessons.at()->step->pictures.empty();
+    if (!tells_lessons_answer(state)) continue;
+    ++held;
+    CHECK(about_pictures);
+    update(state, action::RevealLesson{});
+    CHECK_FALSE(tells_lessons_answer(state));
+  }
+  CHECK(held >= 2);
+  // What is asked about a picture that is shown stays in sight.
+  update(state, action::OpenLesson{"11-noise"});
+  update(state, action::GoToLessonStep{1});
+  REQUIRE(state.lessons.at()->step->id == "four-times");
+  CHECK_FALSE(tells_lessons_answer(state));
+}

@@ -311,15 +311,23 @@ TEST_CASE("beside the hit stand its t and its angle while the equation is shown,
 TEST_CASE("where a ray is bent or mirrored, the plan writes both angles to the normal, apart from each other") {
   State state = walking("glass");
   update(state, action::SetTab{EquationRoom::tab});
-  int bent = 0, mirrored = 0, placed = 0, written_down = 0;
+  int bent = 0, mirrored = 0, total = 0, placed = 0, written_down = 0;
   for (int position = 1; position <= state.walk.timeline->steps(); ++position) {
     update(state, action::Jump{position});
     const auto* formed = std::get_if<RayFormed>(&state.walk.timeline->event(position - 1).detail);
     const auto notes = bend_notes(state);
     const bool wanted = formed != nullptr && (formed->kind == RayKind::reflect || formed->kind == RayKind::refract);
+    CAPTURE(position);
+    if (notes && notes->angle_out.empty()) {  // of the ray that gets nowhere
+      const auto* decided = std::get_if<Decided>(&state.walk.timeline->event(position - 1).detail);
+      const auto* stub = std::get_if<RayNotFormed>(&state.walk.timeline->event(position - 1).detail);
+      CHECK(((decided != nullptr && decided->why == Ending::total_internal_reflection) ||
+             (stub != nullptr && stub->why == Ending::total_internal_reflection)));
+      ++total;
+      continue;
+    }
     REQUIRE(notes.has_value() == wanted);
     if (!wanted) continue;
-    CAPTURE(position);
     CHECK(length(notes->at - formed->origin) < 1e-6);
     CHECK(dot(notes->normal, notes->back) > 0);
     CHECK((dot(notes->normal, notes->out) < 0) == (formed->kind == RayKind::refract));
@@ -342,11 +350,17 @@ TEST_CASE("where a ray is bent or mirrored, the plan writes both angles to the n
       const auto* text = std::get_if<TextItem>(&list[i].shape);
       if (text == nullptr || text->text.find("\u03b8") != 0) continue;
       const auto* leader = std::get_if<LineItem>(&list[i - 1].shape);
-      const bool is_led = leader != nullptr && leader->arrow == 0 && std::abs(length(leader->to - at) - 25) < 8;
+      const bool is_led = leader != nullptr && leader->arrow == 0 && length(leader->to - at) < 32;
       angles.push_back(*text);
       ways.push_back((is_led ? leader->to : text->at) - at);
     }
     if (angles.size() != 2) continue;  // a ray that leaves the plan has no angle there
+    // Arcs are within their rays.
+    const double unit = state.plan.camera.pixels_per_unit;
+    const double longest = unit * std::max(notes->in_length, notes->out_length);
+    for (const DisplayItem& item : list)
+      if (const auto* arc = std::get_if<ArcItem>(&item.shape); arc != nullptr && length(arc->centre - at) < 1)
+        CHECK(arc->radius <= 0.46 * longest);
     // On the side of the surface where its ray is, or beside it.
     const Vec2d normal(notes->normal.x, -notes->normal.y), out(notes->out.x, -notes->out.y);
     for (std::size_t i = 0; i < 2; ++i) {
@@ -360,6 +374,7 @@ TEST_CASE("where a ray is bent or mirrored, the plan writes both angles to the n
   }
   CHECK(bent > 20);
   CHECK(mirrored > 20);
+  CHECK(total > 5);
   CHECK(written_down > 50);
   CHECK(placed > 0.99 * written_down);  // the others are led to their arc from where there is room
 }

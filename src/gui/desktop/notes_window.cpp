@@ -58,9 +58,9 @@ struct NotesWindow::Parts {
   GLFWwindow* window = nullptr;
   ImGuiContext* imgui = nullptr;
   Fonts fonts{};
-  float unit = 0;
-  std::string lesson{};  // since when
-  std::string title{};   // so that it is told apart from the walk's, when a window is shared with the class
+  float unit = 0, grown = 1;  // of the fonts
+  std::string lesson{};       // since when
+  std::string title{};        // so that it is told apart from the walk's, when a window is shared with the class
   Clock::time_point begun = Clock::now();
 
   // On a screen that the class does not look at; else beside the walk's window, where one wide screen has the room.
@@ -119,11 +119,11 @@ struct NotesWindow::Parts {
   void rescale(int width, int height, float density, Language language) {
     const float wanted = std::clamp(
         std::round(4 * std::min(static_cast<float>(width) / 900, static_cast<float>(height) / 700)) / 4, 0.5f, 4.0f);
-    if (wanted == unit && density == fonts.density) return;
+    if (wanted * grown == unit && density == fonts.density) return;
     ImGuiIO& io = ImGui::GetIO();
-    fonts = build_fonts(*io.Fonts, files, wanted, density, language.others());
+    fonts = build_fonts(*io.Fonts, files, wanted * grown, density, language.others());
     io.FontGlobalScale = 1 / density;
-    unit = wanted;
+    unit = wanted * grown;
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();
   }
@@ -151,8 +151,12 @@ struct NotesWindow::Parts {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui::NewFrame();
     const double seconds = std::chrono::duration<double>(Clock::now() - begun).count();
-    draw_notes(notes_panel(state), fonts, state.appearance.theme,
-               lesson.empty() ? time_of_day() : time_of_day() + "   " + elapsed_text(seconds));
+    const float best =
+        draw_notes(notes_panel(state), fonts, state.appearance.theme,
+                   lesson.empty() ? time_of_day() : time_of_day() + "   " + elapsed_text(seconds), grown);
+    // Other fonts in the next frame, if letters are stretched.
+    constexpr float least = 0.97f, most = 1.06f, slack = 0.98f;
+    if (best < least * grown || best > most * grown) grown = slack * best;
     ImGui::Render();
     glViewport(0, 0, pixels, rows);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace raywalk {
 
@@ -22,11 +23,14 @@ Vec2d on_screen(const Vec3d& direction) {
 struct Angle {
   Vec2d at, from, to;  ///< directions of unit length
   std::string words;
+  double room = 0;                       ///< pixels, of the ray: the arc is well inside of it
   static constexpr double narrow = 0.7;  ///< radians: the arc is farther out, the text beside it
 
   [[nodiscard]] double begin() const { return std::atan2(from.y, from.x); }
   [[nodiscard]] double turn() const { return std::atan2(from.x * to.y - from.y * to.x, dot(from, to)); }
-  [[nodiscard]] double radius(double unit) const { return (std::abs(turn()) > narrow ? 20 : 30) * unit; }
+  [[nodiscard]] double radius(double unit) const {
+    return std::min((std::abs(turn()) > narrow ? 20 : 30) * unit, 0.45 * room);
+  }
 };
 
 void draw_arc(Painter& painter, const Angle& angle) {
@@ -58,10 +62,12 @@ void draw_normal(Painter& painter, const Vec2d& at, const Vec2d& normal) {
 void draw_bend(Painter& painter, const BendNotes& notes) {
   const Vec2d at = painter.pixels(plan(notes.at)), normal = on_screen(notes.normal), back = on_screen(notes.back),
               out = on_screen(notes.out);
-  if (normal == Vec2d(0.0) || back == Vec2d(0.0) || out == Vec2d(0.0)) return;
+  if (normal == Vec2d(0.0) || back == Vec2d(0.0)) return;
   draw_normal(painter, at, normal);
-  const Angle angles[]{{at, back, normal, notes.angle_in},
-                       {at, out, dot(out, normal) < 0 ? -normal : normal, notes.angle_out}};
+  std::vector<Angle> angles{{at, back, normal, notes.angle_in, painter.pixels(notes.in_length)}};
+  if (!notes.angle_out.empty() && out != Vec2d(0.0))
+    angles.push_back(
+        {at, out, dot(out, normal) < 0 ? -normal : normal, notes.angle_out, painter.pixels(notes.out_length)});
   for (const Angle& angle : angles) draw_arc(painter, angle);
   for (const Angle& angle : angles) say_angle(painter, angle);
 }
@@ -85,8 +91,9 @@ void EquationRoom::draw_in_plan(Painter& painter) {
   const Vec2d normal = on_screen(facing * ray.normal);
   if (!notes.angle.empty() && normal != Vec2d(0.0)) {
     draw_normal(painter, hit, normal);
-    draw_arc(painter, {hit, back, normal, notes.angle});
-    say_angle(painter, {hit, back, normal, notes.angle});
+    const Angle angle{hit, back, normal, notes.angle, size};
+    draw_arc(painter, angle);
+    say_angle(painter, angle);
   }
   painter.note_along(from, hit, notes.t);
 }

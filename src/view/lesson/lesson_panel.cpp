@@ -121,12 +121,24 @@ bool lesson_enlarges(const State& state) {
   return last == LessonBeside::picture ? tab == PictureRoom::tab : tab.word == name_of(last);
 }
 
+bool tells_lessons_answer(const State& state) {
+  if (!question_waits(state) || state.lessons.at()->step->pictures.empty()) return false;
+  // What this step shows, or the last one before it that shows something: a picture is then what is asked about.
+  const std::vector<PlayedStep>& steps = state.lessons.open->played.steps;
+  LessonBeside shown = state.lessons.at()->step->pane;
+  for (int i = state.lessons.step - 1; i >= 0 && shown == LessonBeside::unchanged; --i) {
+    const LessonStep& before = *steps[static_cast<std::size_t>(i)].step;
+    shown = before.then != LessonBeside::unchanged ? before.then : before.pane;
+  }
+  return shown != LessonBeside::picture;
+}
+
 bool has_plans_place(const State& state) {
   const Tab& tab = state.appearance.tab;
   const PlayedStep* step = state.lessons.shown ? state.lessons.at() : nullptr;
   if (step != nullptr && step->step->pane == LessonBeside::microscope && tab == MicroscopeRoom::tab)
     return !question_waits(state);
-  return tab.large || lesson_enlarges(state);
+  return tab.large || (lesson_enlarges(state) && state.walk.mode != Mode::move);  // in Move the plan is worked on
 }
 
 LessonPanel lesson_panel(const State& state) {

@@ -57,6 +57,14 @@ struct LessonPanel {
   return step != nullptr && step->step->question.has_value();
 }
 
+/// Whether that is about a line of the code, which then is needed, with its answer too.
+[[nodiscard]] inline bool asks_about_code(const State& state) {
+  return has_question(state) && std::holds_alternative<LineQuestion>(*state.lessons.at()->step->question);
+}
+
+/// Whether the 3-D image shows what the open step asks about pictures, and that has yet to be answered.
+[[nodiscard]] bool tells_lessons_answer(const State& state);
+
 /// Whether the open tab has the plan's place, and the plan the tab's: a large one, or where the step of a lesson wants
 /// Whether the open step asks for room for the tab that is shown.
 [[nodiscard]] bool lesson_enlarges(const State& state);

@@ -309,7 +309,7 @@ class Places {
 
   /// The cost of the rays under a name. That of a symbol stays near.
   [[nodiscard]] double lined(const PixelRect& box) const {
-    return area_ * std::min(4 * rays_.of(box), thing_.body ? 0.9 : 0.4);
+    return area_ * std::min(4 * rays_.of(box), thing_.body ? 0.75 : 0.4);
   }
 
   /// Whether another text's leader line would cross it.
@@ -368,7 +368,7 @@ class Places {
       return struck_through(box) || (leads && (crosses(box) || strikes_through(box)));
     };
     if (!loses() && misleads(place.box())) {
-      place.cost += area_;
+      place.cost += 2 * area_;
       place.hidden += 1;
     }
     constexpr double little = 0.15;

@@ -90,7 +90,12 @@ TreePanel tree_panel(const State& state) {
   const Timeline& timeline = *state.walk.timeline;
   TreePanel panel;
   const int pixel = timeline.current_pixel(state.walk.position);
-  if (pixel < 0) return panel;
+  if (pixel < 0) {
+    const bool light_first = timeline.of_photons() || timeline.of_radiosity();
+    panel.empty =
+        text(light_first && state.walk.position > 0 ? "stack.no_pixel" : "tree.empty", state.appearance.language);
+    return panel;
+  }
   panel.cell = current_cell(state);
   panel.levels = 1;
   const Timeline::Range range = timeline.rays_of_pixel(pixel);

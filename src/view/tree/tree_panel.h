@@ -30,6 +30,7 @@ struct TreeNode {
 };
 
 struct TreePanel {
+  std::string empty;            ///< what to do where there are no nodes
   int cell = -1;                ///< column of the pixel whose tree this is; -1: no pixel yet, no nodes
   double columns = 0;           ///< extent: x in 0..columns - 1
   int levels = 0;               ///< y in 0..levels - 1

@@ -11,7 +11,7 @@ namespace {
 
 Blame blame_of(const State& state, Line line) {
   const std::optional<Bug>& bug = state.walk.bug;
-  if (bug && bug->known && !bug->mended && faulty_line(bug->fault) == line) return Blame::at_fault;
+  if (bug && bug->known && faulty_line(bug->fault) == line) return bug->mended ? Blame::none : Blame::at_fault;
   return marked_line(state) == line ? Blame::marked : Blame::none;
 }
 

@@ -160,7 +160,10 @@ class EquationWriter {
     const Vec3d normal = facing(*parent()), in = parent()->direction;
     // Of a rough mirror, the direction is that of a small mirror between both.
     constexpr double rounding = 1e-9;
-    const bool drawn = length(normalize(raywalk::reflect(in, normal)) - formed.direction) > rounding;
+    const int object = parent()->object;
+    const Material* material = object < 0 ? nullptr : &scene().objects[static_cast<std::size_t>(object)].material;
+    const bool is_mirrored = length(normalize(raywalk::reflect(in, normal)) - formed.direction) <= rounding;
+    const bool drawn = !is_mirrored && material != nullptr && (material->is_glossy() || material->is_rough());
     const Vec3d mirror = drawn ? normalize(formed.direction - in) : normal;
     const std::string_view letter = drawn ? "H" : "N";
     row(Kind::formula, "R = D − 2 (", letter, "·D) ", letter);
@@ -169,11 +172,10 @@ class EquationWriter {
     row(Kind::numbers, "R = ", formed.direction);
     if (drawn)
       row(Kind::note, Word{"equation.small_mirror"});
-    else
+    else if (is_mirrored)  // by a faulty line it is not
       row(Kind::note, Word{"equation.as_far_from_normal"}, " ", angle_between(normal, formed.direction), "°");
-    const int object = parent()->object;
-    if (object < 0 || !scene().objects[static_cast<std::size_t>(object)].material.is_metal()) return;
-    const auto [eta, k] = refractive_index(scene().objects[static_cast<std::size_t>(object)].material.mirror);
+    if (material == nullptr || !material->is_metal()) return;
+    const auto [eta, k] = refractive_index(material->mirror);
     row(Kind::formula, Word{"equation.fresnel"});
     row(Kind::numbers, "F = ", Conductor<double>{eta, k}.reflectance(std::clamp(-dot(mirror, in), 0.0, 1.0)));
   }

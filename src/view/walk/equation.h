@@ -45,12 +45,15 @@ struct HitNotes {
 [[nodiscard]] HitNotes hit_notes(const State& state);
 
 /// The notes where a reflect or refract ray has just been formed: the angles of both rays to the normal, in degrees.
-/// Those of a refract ray come from the trace's own Snell's law.
+/// Those of a refract ray come from the trace's own Snell's law. Of a ray that total internal reflection does not let
+/// out only the first.
 struct BendNotes {
   Vec3d at{0.0};                    ///< in the scene
   Vec3d normal{0.0};                ///< unit length, facing the ray
   Vec3d back{0.0}, out{0.0};        ///< unit directions: back along the ray, and of the new ray
-  std::string angle_in, angle_out;  ///< "θ₁ = 45.4°"
+  double in_length = 0;             ///< of the ray that was bent, in scene units
+  double out_length = 0;            ///< of the new one, also where it is yet to be found; infinite if it has no end
+  std::string angle_in, angle_out;  ///< "θ₁ = 45.4°"; empty: there is none
 };
 [[nodiscard]] std::optional<BendNotes> bend_notes(const State& state);
 

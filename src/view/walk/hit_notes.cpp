@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace raywalk {
 
@@ -29,22 +30,33 @@ HitNotes hit_notes(const State& state) {
 std::optional<BendNotes> bend_notes(const State& state) {
   const Timeline& timeline = *state.walk.timeline;
   if (state.walk.position == 0) return std::nullopt;
-  const auto* formed = std::get_if<RayFormed>(&timeline.event(state.walk.position - 1).detail);
-  if (formed == nullptr) return std::nullopt;
-  if (formed->kind != RayKind::reflect && formed->kind != RayKind::refract) return std::nullopt;
-  const int parent = timeline.rays()[static_cast<std::size_t>(timeline.current_ray(state.walk.position))].parent;
-  if (parent < 0) return std::nullopt;
-  const RayRecord& in = timeline.rays()[static_cast<std::size_t>(parent)];
+  const EventDetail& detail = timeline.event(state.walk.position - 1).detail;
+  const auto* formed = std::get_if<RayFormed>(&detail);
+  const auto* stub = std::get_if<RayNotFormed>(&detail);
+  const auto* decided = std::get_if<Decided>(&detail);
+  const bool is_total = (stub != nullptr && stub->why == Ending::total_internal_reflection) ||
+                        (decided != nullptr && decided->why == Ending::total_internal_reflection);
+  if (formed == nullptr && !is_total) return std::nullopt;
+  if (formed != nullptr && formed->kind != RayKind::reflect && formed->kind != RayKind::refract) return std::nullopt;
+  const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(timeline.current_ray(state.walk.position))];
+  if (ray.parent < 0 || (is_total && ray.formed)) return std::nullopt;
+  const RayRecord& in = timeline.rays()[static_cast<std::size_t>(ray.parent)];
   if (in.ending != Ending::hit || !(length(in.direction) > 0) || !(length(in.normal) > 0)) return std::nullopt;
   BendNotes notes;
   notes.at = in.end;
   notes.back = -normalize(in.direction);
   notes.normal = dot(in.normal, notes.back) < 0 ? -in.normal : in.normal;
-  notes.out = formed->direction;
-  const double side = formed->kind == RayKind::refract ? -1 : 1;
+  notes.in_length = length(in.end - in.origin);
+  notes.out_length = ray.endless ? std::numeric_limits<double>::infinity() : length(ray.end - ray.origin);
   const auto angle = [&](const char* name, double cosine) {
     return name + typeset_number(fmt::format("{:.1f}", angle_of_cosine(cosine)), state.appearance.language) + "°";
   };
+  if (formed == nullptr) {
+    notes.angle_in = angle("θ₁ = ", dot(notes.normal, notes.back));
+    return notes;
+  }
+  notes.out = formed->direction;
+  const double side = formed->kind == RayKind::refract ? -1 : 1;
   // Snell's numbers of rough glass are those of a facet, whose normal is another one.
   const bool by_facet =
       in.object >= 0 && state.scene().objects[static_cast<std::size_t>(in.object)].material.is_rough();
