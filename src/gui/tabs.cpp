@@ -51,9 +51,7 @@ namespace {
 
 // Which is shown; returns how high that is.
 float tab_choice(const Ui& ui, const Rect& where, float margin) {
-  // A low pane needs the room for what it shows; a finger needs it more.
-  const bool is_low = where.height < ui.px(240) && !ui.state.appearance.touch;
-  const float height = ui.px(is_low ? 27 : 32);
+  const float height = ui.px(32);
   ImGui::SetCursorScreenPos({where.x + margin, where.y + ui.px(7)});
   const float tabs = choice_in_lines(ui, commands_in(Section::tabs), height, ui.fonts.small,
                                      where.width - 2 * margin - height - ui.px(4));
