@@ -337,9 +337,8 @@ bool lesson_by_key(const KeyPress& press, const Ui& ui) {
     return true;
   }
   // Digits beside the field of a number that is asked for are meant for it.
-  if (panel.asks == Asks::number && !state.lessons.revealed && !panel.astray && digit >= -1 && digit < 9 &&
-      press.key.size() == 1 && press.key[0] >= '0' && press.key[0] <= '9')
-    return true;
+  const bool is_digit = press.key.size() == 1 && press.key[0] >= '0' && press.key[0] <= '9';
+  if (is_digit && panel.asks == Asks::number && !state.lessons.revealed && !panel.astray) return true;
   // A digit too many, or a class's hand too late, is a slip, and must not change what a step is.
   if (panel.asks == Asks::choice && state.lessons.presenter && digit >= 0 && digit < 9) return true;
   if (panel.asks == Asks::choice && !state.lessons.revealed && !panel.astray && digit >= 0 && digit < 9) return true;

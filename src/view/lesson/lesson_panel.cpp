@@ -113,10 +113,17 @@ std::optional<LessonVerdict> judge(const LessonRoom& sitting) {
   return LessonVerdict{degrees <= std::get<ArrowQuestion>(question).tolerance, degrees};
 }
 
+LessonBeside left_before(const LessonRoom& sitting) {
+  LessonBeside left = LessonBeside::unchanged;
+  for (int i = sitting.step - 1; i >= 0 && left == LessonBeside::unchanged; --i)
+    left = left_by(*sitting.open->played.steps[static_cast<std::size_t>(i)].step);
+  return left;
+}
+
 bool lesson_enlarges(const State& state) {
   const PlayedStep* step = state.lessons.shown ? state.lessons.at() : nullptr;
   if (step == nullptr || !step->step->large) return false;
-  const LessonBeside last = step->step->then == LessonBeside::unchanged ? step->step->pane : step->step->then;
+  const LessonBeside last = left_by(*step->step);
   const Tab& tab = state.appearance.tab;
   return last == LessonBeside::picture ? tab == PictureRoom::tab : tab.word == name_of(last);
 }
@@ -124,13 +131,8 @@ bool lesson_enlarges(const State& state) {
 bool tells_lessons_answer(const State& state) {
   if (!question_waits(state) || state.lessons.at()->step->pictures.empty()) return false;
   // What this step shows, or the last one before it that shows something: a picture is then what is asked about.
-  const std::vector<PlayedStep>& steps = state.lessons.open->played.steps;
-  LessonBeside shown = state.lessons.at()->step->pane;
-  for (int i = state.lessons.step - 1; i >= 0 && shown == LessonBeside::unchanged; --i) {
-    const LessonStep& before = *steps[static_cast<std::size_t>(i)].step;
-    shown = before.then != LessonBeside::unchanged ? before.then : before.pane;
-  }
-  return shown != LessonBeside::picture;
+  const LessonBeside own = state.lessons.at()->step->pane;
+  return (own == LessonBeside::unchanged ? left_before(state.lessons) : own) != LessonBeside::picture;
 }
 
 bool has_plans_place(const State& state) {

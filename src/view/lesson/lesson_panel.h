@@ -65,9 +65,16 @@ struct LessonPanel {
 /// Whether the 3-D image shows what the open step asks about pictures, and that has yet to be answered.
 [[nodiscard]] bool tells_lessons_answer(const State& state);
 
-/// Whether the open tab has the plan's place, and the plan the tab's: a large one, or where the step of a lesson wants
+/// What a step leaves beside the plan.
+[[nodiscard]] inline LessonBeside left_by(const LessonStep& step) {
+  return step.then == LessonBeside::unchanged ? step.pane : step.then;
+}
+/// What the steps before the open one have left there; `unchanged`: nothing.
+[[nodiscard]] LessonBeside left_before(const LessonRoom& sitting);
+
 /// Whether the open step asks for room for the tab that is shown.
 [[nodiscard]] bool lesson_enlarges(const State& state);
+/// Whether the open tab has the plan's place, and the plan the tab's: a large one, or where the step of a lesson wants
 /// it so. What waits for an answer lets the plan be seen first.
 [[nodiscard]] bool has_plans_place(const State& state);
 

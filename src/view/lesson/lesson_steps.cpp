@@ -96,12 +96,7 @@ void show_beside(State& state, LessonBeside pane) {
 /// Opens what the steps before the current one have left beside the plan: whoever comes from a later step, or straight
 /// to this one, sees what others see here.
 void show_as_left(State& state) {
-  const std::vector<PlayedStep>& steps = state.lessons.open->played.steps;
-  for (int i = state.lessons.step - 1; i >= 0; --i) {
-    const LessonStep& before = *steps[static_cast<std::size_t>(i)].step;
-    const LessonBeside left = before.then != LessonBeside::unchanged ? before.then : before.pane;
-    if (left != LessonBeside::unchanged) return show_beside(state, left);
-  }
+  if (const LessonBeside left = left_before(state.lessons); left != LessonBeside::unchanged) show_beside(state, left);
 }
 
 /// Shows the step's walk, at the position of the question.

@@ -43,13 +43,10 @@ void draw_view_direction(Painter& painter) {
 }
 
 /// A body as small as its handles could not be taken hold of itself: its corners wait until it is seen larger.
-bool has_room_for_corners(const Painter& painter, const Prism<double>& prism) {
-  Vec2d low(prism.corners.front()), high = low;
-  for (const Vec2d& corner : prism.corners) {
-    low = {std::min(low.x, corner.x), std::min(low.y, corner.y)};
-    high = {std::max(high.x, corner.x), std::max(high.y, corner.y)};
-  }
-  const Vec2d size = high - low;
+bool has_room_for_corners(const Painter& painter, const Object& object) {
+  const std::optional<Bounds<double>> box = footprint_of(object);
+  if (!box) return false;
+  const Vec2d size = plan(box->max - box->min);
   return painter.pixels(std::max(size.x, size.y)) >= 5 * painter.sizes.handle;
 }
 
@@ -69,7 +66,7 @@ void draw_handles(Painter& painter) {
                    [](const auto&) {},
                    [&](const Prism<double>& prism) {
                      draw_rotation(painter, {TargetKind::rotation, index}, prism);
-                     if (!has_room_for_corners(painter, prism)) return;
+                     if (!has_room_for_corners(painter, scene.objects[i])) return;
                      for (int corner = 0; corner < prism.sides(); ++corner)
                        draw_dot(painter, {TargetKind::corner, index, corner});
                    },

@@ -76,9 +76,7 @@ StackPanel stack_panel(const State& state) {
   StackPanel panel;
   const int pixel = timeline.current_pixel(state.walk.position);
   if (pixel < 0) {
-    // Photons and patches have light before a pixel has any.
-    const bool light_first = timeline.of_photons() || timeline.of_radiosity();
-    panel.empty = str(state, light_first && state.walk.position > 0 ? "stack.no_pixel" : "stack.empty");
+    panel.empty = text_without_pixel(state, "stack.empty");
     return panel;
   }
   const Timeline::Range range = timeline.rays_of_pixel(pixel);

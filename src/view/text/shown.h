@@ -26,6 +26,13 @@ namespace raywalk {
   return std::string(cone ? text("plan.cone", state.appearance.language) : text(kind, state.appearance.language));
 }
 
+/// Why nothing is shown of a pixel where none is walked: `at_start`, or that photons or patches have light first.
+[[nodiscard]] inline std::string text_without_pixel(const State& state, std::string_view at_start) {
+  const bool light_first = state.walk.timeline->of_photons() || state.walk.timeline->of_radiosity();
+  return std::string(
+      text(light_first && state.walk.position > 0 ? "stack.no_pixel" : at_start, state.appearance.language));
+}
+
 /// How much of its pixel a part of a beam is, or of its cone a part of a cone: "0.2 of the pixel".
 [[nodiscard]] inline std::string coverage_text(const State& state, const BeamRecord& part) {
   const Language language = state.appearance.language;

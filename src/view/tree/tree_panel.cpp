@@ -91,9 +91,7 @@ TreePanel tree_panel(const State& state) {
   TreePanel panel;
   const int pixel = timeline.current_pixel(state.walk.position);
   if (pixel < 0) {
-    const bool light_first = timeline.of_photons() || timeline.of_radiosity();
-    panel.empty =
-        text(light_first && state.walk.position > 0 ? "stack.no_pixel" : "tree.empty", state.appearance.language);
+    panel.empty = text_without_pixel(state, "tree.empty");
     return panel;
   }
   panel.cell = current_cell(state);
