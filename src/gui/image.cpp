@@ -4,6 +4,7 @@
 #include "gui/command.h"
 #include "gui/panes.h"
 #include "gui/widgets.h"
+#include "gui/window.h"
 #include "render/heat.h"
 #include "view/lesson/lesson_panel.h"
 #include "view/text/text.h"
@@ -17,14 +18,23 @@ namespace raywalk {
 
 namespace {
 
-// The largest centred rectangle with the picture's aspect ratio in `room`; an integer multiple if larger than the
-// picture, so that pixels are equal.
+// The largest centred rectangle with the picture's aspect ratio in `room`; an integer multiple of the picture, so that
+// pixels are equal, unless that is much smaller.
 Rect fitted(const Rect& room, int width, int height, float density) {
+  constexpr float worth = 0.8f;
   const float across = std::max(room.width, 1.0f), down = std::max(room.height, 1.0f);
   float scale = std::min(across / static_cast<float>(width), down / static_cast<float>(height));
-  if (scale * density > 1) scale = std::floor(scale * density) / density;
+  const float whole = std::floor(scale * density);
+  if (whole >= 3 || (whole >= 1 && whole > worth * scale * density)) scale = whole / density;
   const float w = std::floor(static_cast<float>(width) * scale), h = std::floor(static_cast<float>(height) * scale);
   return {std::round(room.x + (room.width - w) / 2), std::round(room.y + (room.height - h) / 2), w, h};
+}
+
+// Unequal pixels are smoothed.
+void draw_texture(const Ui& ui, const Rect& image, const PictureView& picture) {
+  const bool is_whole = std::fmod(image.width * ui.fonts.density, static_cast<float>(picture.width)) < 1;
+  set_magnification(picture.texture, is_whole ? Magnification::pixels : Magnification::smooth);
+  ImGui::GetWindowDrawList()->AddImage((ImTextureID)picture.texture, corner(image), opposite(image));
 }
 
 // The row that is the strip: marks at both sides and hairlines above and below it.
@@ -179,8 +189,7 @@ void image_tab(const Ui& ui, const Rect& where, TabContext& context) {
   ui.publish("image", image);
   if (image.width >= 8 && image.height >= 8) {
     const int cells = std::max(ui.state.scene().camera.screen.cells, 1);
-    ImDrawList& draw = *ImGui::GetWindowDrawList();
-    draw.AddImage((ImTextureID)picture.texture, corner(image), opposite(image));
+    draw_texture(ui, image, picture);
     if (has_row) {
       const float row = image.height / static_cast<float>(picture.height);
       const float middle = image.y + static_cast<float>(picture.height / 2) * row + row / 2;

@@ -14,7 +14,8 @@ float take(float space, float wish) { return std::clamp(std::round(wish), 0.0f, 
 constexpr float tight_code = 0.88f;   ///< the code's lines can stand closer, for the others' sake
 constexpr float three_columns = 900;  ///< the least width of lesson, plan and code beside each other, at scale 1
 
-constexpr float grip = 8;  ///< what can be gripped between two panes, at scale 1
+constexpr float lowest_tabs = 130;  ///< with a picture that can still be seen, at scale 1
+constexpr float grip = 8;           ///< what can be gripped between two panes, at scale 1
 
 float hairline(const LayoutWishes& wishes) { return std::max(std::round(wishes.unit), 1.0f); }  // between neighbours
 
@@ -124,7 +125,7 @@ Layout lay_out_wide(const LayoutWishes& wishes) {
   const float least_tabs = std::clamp(below * 0.32f, 170 * unit, 250 * unit);
   const float tabs = std::clamp(below - tight_code * wishes.code, least_tabs, std::max(below * 0.36f, least_tabs));
   const float code = wishes.bare            ? below
-                     : wishes.code_part > 0 ? take(below, wishes.code_part * below)
+                     : wishes.code_part > 0 ? take(below - lowest_tabs * unit, wishes.code_part * below)
                                             : take(below, std::min(wishes.code, std::max(below * 0.5f, below - tabs)));
   layout.side = {width - side, top, side, code};
   const float tabs_top = std::min(layout.side.bottom() + line, height);

@@ -436,6 +436,12 @@ void Window::end_frame(const float (&background)[3], Image* picture) {
   }
 }
 
+void set_magnification(std::uintptr_t texture, Magnification magnification) {
+  glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(texture));
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER,
+                  magnification == Magnification::smooth ? GL_LINEAR : GL_NEAREST);
+}
+
 Texture::~Texture() {
   if (id_ != 0) glDeleteTextures(1, &id_);
 }

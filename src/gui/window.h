@@ -5,6 +5,7 @@
 #include "text/error.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <variant>
@@ -109,7 +110,12 @@ class Window {
   bool happened_ = true, close_requested_ = false, shown_ = false, key_released_ = false;
 };
 
-/// A GPU texture with nearest-neighbour magnification.
+/// How a texture that is drawn larger than it is looks: its pixels as squares, or bilinearly interpolated.
+enum class Magnification { pixels, smooth };
+/// Of a texture's id; for all that is drawn of it in this frame.
+void set_magnification(std::uintptr_t texture, Magnification magnification);
+
+/// A GPU texture; magnified, its pixels are squares.
 class Texture {
  public:
   Texture() = default;
