@@ -1,5 +1,6 @@
 // The commands of the walk.
 
+#include "view/walk/walk.h"
 #include "gui/command.h"
 
 namespace raywalk {
@@ -8,6 +9,18 @@ namespace {
 
 bool goes_on(const State& state) { return state.walk.position < state.walk.timeline->steps(); }
 bool goes_back(const State& state) { return state.walk.position > 0 || state.walk.playing; }
+
+/// By pixels, a walk of the picture's goes on with the next one.
+template <bool forward>
+bool goes_by_pixels(const State& state) {
+  return (forward ? goes_on(state) : goes_back(state)) || neighbour(state, forward).has_value();
+}
+template <bool forward>
+bool goes(const State& state) {
+  return state.walk.grain == Grain::pixel ? goes_by_pixels<forward>(state)
+         : forward                        ? goes_on(state)
+                                          : goes_back(state);
+}
 
 template <Grain grain>
 bool goes_by(const State& state) {
@@ -37,17 +50,17 @@ Commands WalkRoom::commands() {
   // clang-format off
   static constexpr Command all[] = {
       {.name = "step", .keys = {"Space", {"Right", When::trace}, {"Page Down", When::trace}}, .section = Section::step,
-       .line = "keys.steps", .enabled = goes_on, .run = act<action::Step, true>, .held = act<action::Hold, true>},
+       .line = "keys.steps", .enabled = goes<true>, .run = act<action::Step, true>, .held = act<action::Hold, true>},
       {.name = "step-back", .keys = {{"Left", When::trace}, {"Page Up", When::trace}}, .section = Section::back,
-       .line = "keys.steps", .enabled = goes_back, .run = act<action::Step, false>, .held = act<action::Hold, false>},
+       .line = "keys.steps", .enabled = goes<false>, .run = act<action::Step, false>, .held = act<action::Hold, false>},
       {.name = "step-ray", .keys = {{"Shift+Right", When::trace}, "Shift+Space"}, .section = Section::step,
        .line = "keys.rays", .enabled = goes_on, .run = act<action::Step, true, Grain::ray>},
       {.name = "step-ray-back", .keys = {{"Shift+Left", When::trace}}, .section = Section::back, .line = "keys.rays",
        .enabled = goes_back, .run = act<action::Step, false, Grain::ray>},
       {.name = "step-pixel", .keys = {{"Ctrl+Right", When::trace}, "Ctrl+Space"}, .section = Section::step,
-       .line = "keys.pixels", .enabled = goes_on, .run = act<action::Step, true, Grain::pixel>},
+       .line = "keys.pixels", .enabled = goes_by_pixels<true>, .run = act<action::Step, true, Grain::pixel>},
       {.name = "step-pixel-back", .keys = {{"Ctrl+Left", When::trace}}, .section = Section::back, .line = "keys.pixels",
-       .enabled = goes_back, .run = act<action::Step, false, Grain::pixel>},
+       .enabled = goes_by_pixels<false>, .run = act<action::Step, false, Grain::pixel>},
       {.name = "step-over", .keys = {{"Down", When::trace}}, .section = Section::over, .line = "keys.over",
        .enabled = goes_on, .run = act<action::Step, true, Grain::over>},
       {.name = "step-back-over", .keys = {{"Shift+Down", When::trace}}, .section = Section::over, .line = "keys.over",

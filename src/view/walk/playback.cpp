@@ -54,10 +54,21 @@ void go_to(State& state, int position) {
   state.walk.position = std::clamp(position, 0, state.walk.timeline->steps());
 }
 
+std::optional<action::WalkPixel> neighbour(const State& state, bool forward) {
+  const std::optional<PixelWalk>& walk = state.walk.pixel;
+  if (!walk || walk->camera != state.picture.camera) return std::nullopt;
+  if (state.walk.position != (forward ? state.walk.timeline->steps() : 0)) return std::nullopt;
+  const int next = walk->row * walk->size.width + walk->column + (forward ? 1 : -1);
+  if (next < 0 || next >= walk->size.width * walk->size.height) return std::nullopt;
+  return action::WalkPixel{next % walk->size.width, next / walk->size.width, walk->size};
+}
+
 void action::Step::apply(State& state) const {
   if (forward && question_waits(state)) return RevealLesson{}.apply(state);
   // Releasing a held button does not step again.
   if (state.walk.hold) return go_to(state, state.walk.position);
+  if (grain.value_or(state.walk.grain) == Grain::pixel)
+    if (const auto next = neighbour(state, forward)) return next->apply(state);
   const int to = stepped(*state.walk.timeline, state.walk.position, grain.value_or(state.walk.grain), forward);
   go_to(state, forward ? stopped(state, to) : to);
 }

@@ -34,5 +34,7 @@ void go_to(State& state, int position);
 /// The position after one step of `grain`.
 [[nodiscard]] int stepped(const Timeline& timeline, int position, Grain grain, bool forward);
 void walk_strip(State& state);
+/// At an end of the walk of a picture's pixel: the pixel after or before it, row by row.
+[[nodiscard]] std::optional<action::WalkPixel> neighbour(const State& state, bool forward);
 
 }  // namespace raywalk
