@@ -94,6 +94,14 @@ Vec2d pixels_of(const State& state, const Target& target) {
   return to_pixels(state, place_of(state, target, state.plan.viewport));
 }
 
+const TextItem* text_with(const DisplayList& list, const std::string& part) {
+  for (const DisplayItem& item : list)
+    if (const auto* text = std::get_if<TextItem>(&item.shape);
+        text != nullptr && text->text.find(part) != std::string::npos)
+      return text;
+  return nullptr;
+}
+
 bool has_text(const DisplayList& list, std::string_view words) {
   return std::any_of(list.begin(), list.end(), [&](const DisplayItem& item) {
     const auto* said = std::get_if<TextItem>(&item.shape);

@@ -31,6 +31,8 @@ Vec2d pixels_of(const State& state, const Target& target);
 
 /// Whether some text of a drawing is these words.
 bool has_text(const DisplayList& list, std::string_view words);
+/// The first text of a drawing that these words are part of; null: none.
+const TextItem* text_with(const DisplayList& list, const std::string& part);
 /// What stands for a target in a drawing.
 std::vector<DisplayItem> items_of(const DisplayList& list, const Target& target);
 

@@ -46,14 +46,6 @@ std::set<int> drawn_objects(const DisplayList& list) {
   return found;
 }
 
-const TextItem* text_with(const DisplayList& list, const std::string& part) {
-  for (const DisplayItem& item : list)
-    if (const auto* text = std::get_if<TextItem>(&item.shape);
-        text != nullptr && text->text.find(part) != std::string::npos)
-      return text;
-  return nullptr;
-}
-
 }  // namespace
 
 TEST_CASE("of very many objects 1,500 are drawn, the largest among them, and the view says so") {

@@ -1,13 +1,17 @@
 // Pixels of the 3-D picture: walked, drawn as lines in space, and the picture's own camera.
 #include "fixtures.h"
 #include "render/render.h"
+#include "view/plan/painter.h"
 #include "view/space/lines_view.h"
 #include "view/space/orbit.h"
 #include "view/space/outlines.h"
 #include "view/tree/tree_panel.h"
+#include "view/walk/walk.h"
 
 #include <algorithm>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include "support/catch.h"
 
@@ -47,6 +51,57 @@ TEST_CASE("a walked pixel ends in the very colour of the picture, of the scene's
       CHECK(broken_promise(state) == "");
     }
   }
+}
+
+TEST_CASE("names in space keep off the rays of a picture's pixel, and stay where they are during its walk") {
+  State state = shipped("whitted");
+  update(state, action::ResizePlan{{858, 480}});
+  update(state, action::WalkPixel{150, 130, {320, 240}});
+  REQUIRE(shows_lines(state));
+  std::vector<Vec2d> before;
+  for (int position = state.walk.timeline->steps(); position > 0; position -= 5) {
+    update(state, action::Jump{position});
+    const DisplayList list = lines_view(state, state.plan.viewport);
+    std::vector<Vec2d> now;
+    for (const char* name : {"Glass Sphere", "Mirror Sphere"}) {
+      const TextItem* said = text_with(list, name);
+      REQUIRE(said != nullptr);
+      now.push_back(said->at);
+      const Vec2d half(text_width(said->text, said->size) / 2, said->size / 2);
+      for (const DisplayItem& item : list)
+        if (const auto* ray = std::get_if<LineItem>(&item.shape); ray != nullptr && item.target.kind == TargetKind::ray)
+          CHECK_FALSE(PixelRect{said->at - half, said->at + half}.meets(ray->from, ray->to));
+    }
+    CHECK((before.empty() || before == now));
+    before = now;
+  }
+}
+
+TEST_CASE("by pixels, a walk of the picture goes on with the next one, row by row, and back") {
+  State state = shipped("whitted");
+  const ImageSize size{5, 4};
+  update(state, action::WalkPixel{3, 1, size});
+  std::vector<std::pair<int, int>> walked;
+  const auto step = [&](bool forward) {
+    update(state, action::Step{forward, Grain::pixel});
+    walked.emplace_back(state.walk.pixel->column, state.walk.pixel->row);
+    CHECK(state.walk.timeline->pixels().size() == 1);
+  };
+  for (int i = 0; i < 2; ++i) step(true);
+  CHECK(walked == std::vector<std::pair<int, int>>{{4, 1}, {0, 2}});
+  // Back: first to the beginning of this one.
+  walked.clear();
+  for (int i = 0; i < 3; ++i) step(false);
+  CHECK(walked == std::vector<std::pair<int, int>>{{0, 2}, {4, 1}, {4, 1}});
+  // By lines it stays where it is; so it does at the end of the picture, and seen from elsewhere.
+  update(state, action::WalkPixel{3, 1, size});
+  update(state, action::Step{true, Grain::line});
+  CHECK(state.walk.pixel->column == 3);
+  update(state, action::WalkPixel{4, 3, size});
+  CHECK_FALSE(neighbour(state, true));
+  update(state, action::Orbit{SpaceView::image, {0.4, 0.2}});
+  update(state, action::Jump{0});
+  CHECK_FALSE(neighbour(state, false));
 }
 
 TEST_CASE("a pixel on the row of a planar scene's strip goes to its cell, in the plan") {

@@ -70,7 +70,8 @@ double mistakable(const Named& own, const Named& other) {
   return other.flat ? 0.05 : 0.6;
 }
 
-void name_one(Painter& painter, const Named& thing, const std::vector<Named>& all) {
+void name_one(Painter& painter, const Named& thing, const std::vector<Named>& all,
+              const std::vector<std::array<Vec2d, 2>>& lines) {
   struct NamePlace {
     double cost = std::numeric_limits<double>::infinity();
     Vec2d at;
@@ -90,6 +91,8 @@ void name_one(Painter& painter, const Named& thing, const std::vector<Named>& al
       for (const PixelRect& taken : painter.kept_free) cost += 100 * box.overlap(taken) / area;
       for (const Named& other : all)
         if (&other != &thing) cost += mistakable(thing, other) * box.overlap(other.seen) / area;
+      const auto crosses = [&](const auto& ends) { return box.meets(ends[0], ends[1]); };
+      if (cost < best.cost && std::any_of(lines.begin(), lines.end(), crosses)) cost += 0.5;
       cost += 0.4 * length(at - thing.places.front()) / (half.x + length(out));
       if (cost < best.cost) best = {cost, at, letters};
     }
@@ -118,7 +121,7 @@ void draw_name(Painter& painter, const std::string& what, const Vec2d& of, const
     }
 }
 
-void draw_object_names(Painter& painter, const Projection& seen) {
+void draw_object_names(Painter& painter, const Projection& seen, const std::vector<std::array<Vec2d, 2>>& lines) {
   if (painter.scene().objects.size() > few_named) return;
   std::vector<Named> things;
   for (const Object& object : painter.scene().objects)
@@ -126,7 +129,7 @@ void draw_object_names(Painter& painter, const Projection& seen) {
       things.push_back(std::move(*thing));
   // Small ones first: those around and behind them have more room.
   std::stable_sort(things.begin(), things.end(), [](const Named& a, const Named& b) { return a.area() < b.area(); });
-  for (const Named& thing : things) name_one(painter, thing, things);
+  for (const Named& thing : things) name_one(painter, thing, things, lines);
 }
 
 }  // namespace raywalk

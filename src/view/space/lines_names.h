@@ -15,7 +15,7 @@ namespace raywalk {
 void draw_name(Painter& painter, const std::string& what, const Vec2d& of, const Vec2d& away,
                const std::vector<std::array<Vec2d, 2>>& lines = {});
 
-/// Draws the objects' names, each on its own body unless a smaller one is there, else beside it.
-void draw_object_names(Painter& painter, const Projection& seen);
+/// Draws the objects' names, each on its own body unless a smaller one is there, else beside it; rather off `lines`.
+void draw_object_names(Painter& painter, const Projection& seen, const std::vector<std::array<Vec2d, 2>>& lines);
 
 }  // namespace raywalk

@@ -7,6 +7,7 @@
 #include "view/space/outlines.h"
 #include "view/text/shown.h"
 #include "view/text/text.h"
+#include "view/walk/asked.h"
 #include "view/walk/lit.h"
 #include "view/walk/tween.h"
 
@@ -39,7 +40,7 @@ class Lines {
     draw_camera();
     draw_lights();
     for (const StructureEdge& edge : structure_edges(painter_)) line(edge.from, edge.to, edge.stroke);
-    draw_object_names(painter_, seen_);  // below the rays, which are more important
+    draw_object_names(painter_, seen_, whole_walk());  // below the rays, which are more important
     draw_rays();
     return std::move(painter_.list);
   }
@@ -315,6 +316,19 @@ class Lines {
   [[nodiscard]] bool ends_at_light(const RayRecord& ray) const {
     return ray.light >= 0 && ray.light < static_cast<int>(scene_.lights.size()) &&
            raywalk::middle_of(scene_.lights[static_cast<std::size_t>(ray.light)]).has_value();
+  }
+
+  /// All rays of the walk of a picture's pixel, formed or not: names stay where they are while it goes on. None of a
+  /// long one.
+  [[nodiscard]] std::vector<std::array<Vec2d, 2>> whole_walk() const {
+    constexpr std::size_t most = 200;
+    const State& state = painter_.state;
+    const std::vector<RayRecord>& rays = state.walk.timeline->rays();
+    std::vector<std::array<Vec2d, 2>> lines;
+    if (!state.walk.pixel || rays.size() > most || hides_rays_to_come(state)) return lines;
+    for (const RayRecord& ray : rays)
+      if (const auto ends = seen_.segment(ray.origin, end_of(ray, true))) lines.push_back(*ends);
+    return lines;
   }
 
   /// Rays of earlier pixels first, then the current pixel's, then the current ray and the hovered one.
