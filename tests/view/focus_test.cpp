@@ -1,6 +1,11 @@
 // Focus: the zoom to the ray in question, and back.
 #include "lesson_state.h"
 #include "support/catch.h"
+#include "view/document/properties.h"
+#include "view/text/text.h"
+#include "view/walk/status.h"
+
+#include <algorithm>
 
 using namespace raywalk;
 using namespace raywalk::test;
@@ -58,4 +63,23 @@ TEST_CASE("a plan moved by hand is there again after the zoom of a step") {
   update(state, action::Step{true, Grain::line});
   update(state, action::SetFocus{false});
   CHECK(state.plan.camera == own);
+}
+
+TEST_CASE("Focus, which folds the fields of what is selected, tells their values") {
+  State state = classic_state();
+  update(state, action::SetMode{Mode::move});
+  update(state, action::Select{{TargetKind::object, 0}});
+  const std::string without = sentence(state);
+  update(state, action::SetFocus{true});
+  const auto& sphere = std::get<Sphere<double>>(state.scene().objects[0].shape);
+  CHECK(sentence(state) != without);
+  CHECK(sentence(state).starts_with(properties_title(state) + ": "));
+  CHECK(sentence(state).find(number_text(sphere.radius, state.appearance.language)) != std::string::npos);
+  // A handle: what it changes.
+  update(state, action::Select{{TargetKind::corner, 2, 1}});
+  const auto texts = property_texts(state, state.plan.selected);
+  const auto corner =
+      std::find_if(texts.begin(), texts.end(), [](const auto& each) { return each.key == "corners.2"; });
+  REQUIRE(corner != texts.end());
+  CHECK(sentence(state) == properties_title(state) + ": " + corner->label + " " + corner->value);
 }

@@ -1,6 +1,7 @@
 #include "view/walk/status.h"
 
 #include "view/action.h"
+#include "view/document/properties.h"
 #include "view/plan/plan_geometry.h"
 #include "view/plan/plan_view.h"
 #include "view/text/shown.h"
@@ -70,10 +71,31 @@ std::string view_hint(const State& state) {
              : fill("plan.out_of_view", state.appearance.language, {{"name", short_name(state, state.plan.selected)}});
 }
 
+/// The first few properties of what is selected, or the one that a handle changes, where there is no room for the rest.
+std::string values_of_selected(const State& state) {
+  constexpr int most = 4;
+  const Target& target = state.plan.selected;
+  const std::string own = target.kind == TargetKind::corner ? fmt::format("corners.{}", target.part + 1)
+                          : target.kind == TargetKind::radius || target.kind == TargetKind::light_radius ? "radius"
+                                                                                                         : "";
+  std::string said = properties_title(state);
+  int count = 0;
+  for (const PropertyText& each : property_texts(state, target)) {
+    const bool is_wanted =
+        own.empty() ? each.key != "name" && each.words.empty() && !each.value.empty() : each.key == own;
+    if (!is_wanted) continue;
+    if (count == most) return said + " …";
+    said += fmt::format("{}{} {}", count++ == 0 ? ": " : " · ", each.label, each.value);
+  }
+  return said;
+}
+
 std::string move_sentence(const State& state) {
   std::string said = str(state, "status.first_step_move");
   const int steps = state.walk.timeline->steps();
   if (const std::string hint = view_hint(state); !hint.empty()) return hint;
+  // Focus folds their fields.
+  if (state.focus.on && shows_properties(state)) return values_of_selected(state);
   if (state.walk.position == 0) return said;
   if (state.walk.position == steps) return said + " " + str(state, "status.walk_stands_at_end");
   return said + " " +
