@@ -74,31 +74,55 @@ float cell(Colour colour, const std::string& words, float x, float y, float widt
   return ImGui::GetItemRectMax().y;
 }
 
-// A disc and a triangle, as in the drawing. Returns where the rows may begin.
-float draw_heads(const Ui& ui, float robust, float naive, float y) {
-  const float r = ui.px(5), words = 3 * r;
+// The signs of the two in the drawing, `r` wide to either side.
+void draw_disc(const Ui& ui, float x, float middle, float r) {
+  ImGui::GetWindowDrawList()->AddCircleFilled({x, middle}, r, to_imgui(ui.colours.hovered));
+}
+void draw_triangle(const Ui& ui, float x, float middle, float r) {
+  ImGui::GetWindowDrawList()->AddTriangle({x, middle - 1.2f * r}, {x - 1.2f * r, middle + r},
+                                          {x + 1.2f * r, middle + r}, to_imgui(ui.colours.error), ui.px(2));
+}
+
+// The words of the table, and where its columns are. Where it is narrow, each row is three lines, and a legend above
+// them has the words for the signs.
+struct Columns {
+  float what, robust, naive;  ///< x
+  float first, second;        ///< widths, of the row's name and of a value
+  float sign;                 ///< radius
+  bool stacked;
+};
+
+Columns columns_of(const Ui& ui, const Rect& where) {
+  const float sign = ui.px(5), indent = 3.4f * sign, first = where.width * 0.24f, second = (where.width - first) / 2;
+  if (where.width < ui.px(250))
+    return {where.x, where.x + indent, where.x + indent, where.width, where.width - indent, sign, true};
+  return {where.x, where.x + first, where.x + first + second, first - ui.px(6), second - ui.px(6), sign, false};
+}
+
+// Returns where the rows may begin.
+float draw_heads(const Ui& ui, const Columns& columns, float y) {
+  const float r = columns.sign, indent = 3 * r;
   push_font(ui.fonts.strong);
-  const auto width = [&](const char* id) { return ImGui::CalcTextSize(ui.say(id).c_str()).x; };
-  const bool narrow = words + std::max(width("microscope.robust"), width("microscope.naive")) > naive - robust - r;
+  const auto width = [&](const char* id) { return indent + ImGui::CalcTextSize(ui.say(id).c_str()).x; };
+  const bool narrow = std::max(width("microscope.robust"), width("microscope.naive")) > columns.second;
   pop_font();
   push_font(narrow ? ui.fonts.small : ui.fonts.strong);
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  const float middle = y + ImGui::GetFontSize() / 2;
-  draw.AddCircleFilled({robust + r, middle}, r, to_imgui(ui.colours.hovered));
-  draw.AddTriangle({naive + r, middle - 1.2f * r}, {naive - 0.2f * r, middle + r}, {naive + 2.2f * r, middle + r},
-                   to_imgui(ui.colours.error), ui.px(2));
-  const float room = naive - robust - words - r;
-  cell(ui.colours.text, shortened(ui.say("microscope.robust"), room), robust + words, y, ui.px(200));
-  cell(ui.colours.text, shortened(ui.say("microscope.naive"), room), naive + words, y, ui.px(200));
-  y += ImGui::GetFontSize();
+  const float line = ImGui::GetFontSize(), below = columns.stacked ? line + ui.px(3) : 0;
+  const float robust = columns.stacked ? columns.what : columns.robust;
+  const float naive = columns.stacked ? columns.what : columns.naive;
+  draw_disc(ui, robust + 1.2f * r, y + line / 2, r);
+  draw_triangle(ui, naive + 1.2f * r, y + below + line / 2, r);
+  const float room = columns.stacked ? columns.first - indent : columns.second - indent;
+  cell(ui.colours.text, shortened(ui.say("microscope.robust"), room), robust + indent, y, ui.px(200));
+  cell(ui.colours.text, shortened(ui.say("microscope.naive"), room), naive + indent, y + below, ui.px(200));
   pop_font();
-  return y;
+  return y + below + line;
 }
 
 // Returns where it ends.
 float draw_table(const Ui& ui, const Rect& where, const MicroscopeTable& table) {
-  const float first = where.width * 0.24f, second = (where.width - first) / 2;
-  const float gap = ui.px(6), robust = where.x + first, naive = robust + second;
+  const Columns columns = columns_of(ui, where);
+  const float gap = ui.px(6), r = columns.sign;
   const ImU32 line = to_imgui(Shades(ui.state.appearance.theme).line);
   ImFont* font = where.width >= ui.px(420) ? ui.fonts.text : ui.fonts.small;
   ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -111,16 +135,23 @@ float draw_table(const Ui& ui, const Rect& where, const MicroscopeTable& table) 
   ui.publish("microscope/sentence");
   pop_font();
   if (table.rows.empty()) return y;
-  y = draw_heads(ui, robust, naive, y) + gap;
+  y = draw_heads(ui, columns, y) + gap;
   push_font(font);
   int number = 0;
   for (const MicroscopeTable::Row& row : table.rows) {
     draw.AddLine({where.x, y}, {where.right(), y}, line);
     y += gap / 2;
-    float bottom = cell(ui.colours.dim_text, row.what, where.x, y, first - gap);
-    bottom = std::max(bottom, cell(ui.colours.text, row.robust, robust, y, second - gap));
+    float bottom = cell(ui.colours.dim_text, row.what, columns.what, y, columns.first);
+    const auto value = [&](const std::string& words, Colour colour, float x, auto draw_sign) {
+      if (columns.stacked) {
+        y = bottom;
+        draw_sign(ui, columns.what + 1.2f * r, y + ImGui::GetFontSize() / 2, r);
+      }
+      bottom = std::max(bottom, cell(colour, words, x, y, columns.second));
+    };
+    value(row.robust, ui.colours.text, columns.robust, draw_disc);
     push_font(row.wrong ? ui.fonts.strong : font);
-    bottom = std::max(bottom, cell(row.wrong ? ui.colours.error : ui.colours.text, row.naive, naive, y, second));
+    value(row.naive, row.wrong ? ui.colours.error : ui.colours.text, columns.naive, draw_triangle);
     pop_font();
     ui.publish("microscope/row-" + std::to_string(number++));
     y = bottom + gap / 2;

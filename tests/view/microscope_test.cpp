@@ -138,7 +138,7 @@ TEST_CASE("fully magnified a cell is an ulp, and says so; at the whole scene not
     CHECK(magnification(state, *seen, pane) == 1);
     update(state, action::Magnify{1});
     const DisplayList list = microscope_view(state, *seen, pane);
-    CHECK(says(list, "1 cell = 1 ulp = " + std::string(single ? "2.38e\u221207" : "4.44e\u221216")));
+    CHECK(says(list, "1 cell = 1 ulp = " + std::string(single ? "2.38 · 10⁻⁷" : "4.44 · 10⁻¹⁶")));
     // Upright lines of the grid stand one spacing apart.
     std::set<double> upright;
     for (const DisplayItem& item : list)
@@ -245,15 +245,15 @@ TEST_CASE("a t near 0 keeps its power of ten") {
   near.naive->t = 9.8765432109876543e-123;
   const MicroscopeTable table = microscope_table(state, near);
   const auto row = std::find_if(table.rows.begin(), table.rows.end(), [](const MicroscopeTable::Row& each) {
-    return each.robust == "1.23456\u20268e\u221205";
+    return each.robust == "1.23456\u20268 · 10⁻⁵";
   });
   REQUIRE(row != table.rows.end());
-  CHECK(row->naive == "9.87654\u2026e\u2212123");
+  CHECK(row->naive == "9.87654\u2026 · 10⁻¹²³");
 }
 
 TEST_CASE("numbers of ulps are short") {
   CHECK(ulps_text(0.25, in_english) == "0.2");
   CHECK(ulps_text(3, in_english) == "3.0");
   CHECK(ulps_text(1678.2, in_english) == "1678");
-  CHECK(ulps_text(4.5e11, in_english) == "4.5e11");
+  CHECK(ulps_text(4.5e11, in_english) == "4.5 · 10¹¹");
 }

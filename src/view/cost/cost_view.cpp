@@ -62,13 +62,13 @@ class LogScale {
 
 std::string tick_text(double value, Language language) {
   const auto short_text = [&](double number, const char* unit) {
-    return typeset_number(fmt::format("{:g}", number), language) + unit;
+    return typeset_power(fmt::format("{:g}", number), language) + unit;
   };
   if (value >= 0.999e9) return short_text(value / 1e9, " G");
   if (value >= 0.999e6) return short_text(value / 1e6, " M");
   if (value >= 0.999e3) return short_text(value / 1e3, " k");
   if (value >= 0.999e-4) return short_text(value, "");
-  return typeset_number(fmt::format("{:.0e}", value), language);
+  return typeset_power(fmt::format("{:.0e}", value), language);
 }
 
 TextItem words(const Vec2d& at, std::string what, double size, Colour colour, TextAnchor anchor) {

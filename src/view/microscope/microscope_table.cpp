@@ -15,10 +15,10 @@ namespace raywalk {
 
 namespace {
 
-/// "2.3e11"
+/// "2.3 · 10¹¹"
 std::string in_powers(double large, Language language) {
   const int power = static_cast<int>(std::floor(std::log10(large)));
-  return typeset_number(fmt::format("{:.1f}e{}", large / std::pow(10.0, power), power), language);
+  return typeset_power(fmt::format("{:.1f}e{}", large / std::pow(10.0, power), power), language);
 }
 
 std::string off_text(const Specimen& specimen, const std::optional<double>& off, Language language) {
@@ -37,7 +37,7 @@ std::string number_of(double t, Precision precision, Language language) {
   digits.resize(digits.size() - power.size());
   const std::size_t most = 13 - power.size(), first = 7, last = 5 - power.size();
   if (digits.size() > most) digits = digits.substr(0, first) + "\u2026" + digits.substr(digits.size() - last);
-  return typeset_number(digits + power, language);
+  return typeset_power(digits + power, language);
 }
 
 std::string leaving_text(const SpawnedRays& rays, Language language) {
@@ -102,7 +102,7 @@ std::string sentence_on(const Specimen& specimen, Language language) {
 }  // namespace
 
 std::string ulps_text(double ulps, Language language) {
-  if (ulps < 0.05) return typeset_number(fmt::format("{:.1g}", ulps), language);
+  if (ulps < 0.05) return typeset_power(fmt::format("{:.1g}", ulps), language);
   if (ulps < 9.95) return typeset_number(fmt::format("{:.1f}", ulps), language);
   if (ulps < 99999.5) return fmt::format("{:.0f}", ulps);
   return in_powers(ulps, language);
@@ -164,9 +164,11 @@ MicroscopeTable microscope_table(const State& state, const Specimen& specimen) {
         const SpawnPoint& start = r.starts.front();
         // A robust ray knows its source surface, on whichever side rounding put the point.
         const bool knows = specimen.robust && &r == &*specimen.robust;
-        return start.place == r.point && (knows || start.right_side())
-                   ? std::string(text("microscope.at_point", language))
-                   : off_text(specimen, start.off, language);
+        if (start.place == r.point && (knows || start.right_side()))
+          return std::string(text("microscope.at_point", language));
+        if (start.off) return off_text(specimen, start.off, language);
+        return fill("microscope.away", language,
+                    {{"ulps", ulps_text(specimen.in_ulps(length(start.place - r.point)), language)}});
       },
       specimen.naive && !specimen.naive->starts.front().right_side());
   if (foretells) return table;

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 namespace raywalk {
 
@@ -104,6 +105,7 @@ class Drawing {
   double scale_;  ///< pixels per scene unit
   Vec2d middle_;  ///< where the focus is, pixels
   PixelRect scale_box_{};
+  std::vector<std::pair<Vec2d, Vec2d>> lines_;  ///< outlines and rays so far: labels keep off them
   double unit_;
 };
 
@@ -147,7 +149,10 @@ void Drawing::draw_surfaces() {
     double since = tick_apart * unit_ / 2;
     for (std::size_t i = 0; i < cut.points.size(); ++i) {
       const Vec2d at = pixels(cut.points[i]), inwards(-cut.outwards[i].x, cut.outwards[i].y);
-      if (!line.points.empty()) since += length(at - line.points.back());
+      if (!line.points.empty()) {
+        since += length(at - line.points.back());
+        lines_.emplace_back(line.points.back(), at);
+      }
       line.points.push_back(at);
       if (since >= tick_apart * unit_) {
         const Vec2d along(-inwards.y, inwards.x);
@@ -191,6 +196,7 @@ void Drawing::draw_ray() {
   const RayStyle& style = ray_style(painter_.state.appearance.theme, specimen_.kind);
   const Vec2d end = specimen_.passed < 0 ? to : to + across() * towards;
   painter_.add_clipped({from, end, {style.colour, 2.6 * unit_, painter_.scaled(style.dash)}, 12 * unit_, 0.6});
+  lines_.emplace_back(from, end);
 }
 
 /// One ray of each kind; naive ones if they start elsewhere. One that hits its own surface at once is cut off.
@@ -213,6 +219,7 @@ void Drawing::draw_leaving(const std::optional<Reading>& reading, bool naive) {
     }
     const double far = rays.kind == RayKind::shadow ? std::min(size * scale_, across()) : across();
     painter_.add_clipped({at, at + far * towards, stroke, 9 * unit_, 0.7});
+    lines_.emplace_back(at, at + far * towards);
   }
 }
 
@@ -328,7 +335,7 @@ void Drawing::label(const Vec2d& at, double clear, const std::string& words) {
   const Vec2d half(letters.half.x + 0.2 * size, letters.half.y);
   const PixelRect pane = painter_.pane();
   std::optional<Vec2d> best;
-  double least = 0;
+  double least = 0, least_cost = 0;
   for (const double farther : {1.0, 2.2, 3.6})
     for (const Vec2d& side : {Vec2d(1, 0), Vec2d(1, -1), Vec2d(1, 1), Vec2d(-1, 0), Vec2d(-1, -1), Vec2d(-1, 1),
                               Vec2d(0, -1), Vec2d(0, 1)}) {
@@ -340,9 +347,12 @@ void Drawing::label(const Vec2d& at, double clear, const std::string& words) {
       double covered = 4 * half.x * half.y - box.overlap(pane);
       covered *= 10;
       for (const PixelRect& kept : painter_.kept_free) covered += box.overlap(kept);
-      covered += farther;  // if equal, the nearest
-      if (best && covered >= least) continue;
-      best = middle, least = covered;
+      const bool lies_on_line = std::any_of(lines_.begin(), lines_.end(),
+                                            [&](const auto& line) { return box.meets(line.first, line.second); });
+      // If equal, the nearest.
+      const double cost = covered + (lies_on_line ? half.x * half.y : 0) + farther;
+      if (best && cost >= least_cost) continue;
+      best = middle, least = covered, least_cost = cost;
     }
   // In a small pane the table says which sign is whose; letters over letters say nothing.
   constexpr double most = 0.3;  // of the label, covered
@@ -361,6 +371,7 @@ void Drawing::draw_scale() {
     return number_text(specimen_.spacing[specimen_.axes[static_cast<std::size_t>(i)]],
                        painter_.state.appearance.language);
   };
+  const Vec2d at(12 * unit_, 2 * middle_.y - 12 * unit_);
   double bar = cells;
   std::string words;
   if (cells >= 14 * unit_) {
@@ -379,12 +390,13 @@ void Drawing::draw_scale() {
     else if (2 * length <= most)
       length *= 2;
     bar = length * scale_;
-    words = fill("microscope.bar", painter_.state.appearance.language,
-                 {{"length", number_text(length, painter_.state.appearance.language)},
-                  {"ulps", ulps_text(specimen_.in_ulps(length), painter_.state.appearance.language)}});
+    const Language language = painter_.state.appearance.language;
+    words = fill("microscope.bar", language,
+                 {{"length", number_text(length, language)}, {"ulps", ulps_text(specimen_.in_ulps(length), language)}});
+    // In a small pane the half of it: what is in the middle is looked at.
+    if (at.x + text_width(words, size) > middle_.x) words = number_text(length, language);
   }
-  const Vec2d at(12 * unit_, 2 * middle_.y - 12 * unit_);
-  const double width = std::max(bar, 0.8 * text_width(words, size)) + 0.6 * size;
+  const double width = std::max(bar, text_width(words, size)) + 0.6 * size;
   painter_.add(PolygonItem{{at + Vec2d(-6 * unit_, -1.7 * size), at + Vec2d(width, -1.7 * size),
                             at + Vec2d(width, 6 * unit_), at + Vec2d(-6 * unit_, 6 * unit_)},
                            painter_.colours.plan.with_alpha(225),

@@ -47,7 +47,7 @@ std::string digits_of(double value) {
 std::string value_text(const Scene& scene, const Argument& argument, Language language, int more_digits) {
   return std::visit(Overloaded{
                         [](int value) { return std::to_string(value); },
-                        [&](double value) { return typeset_power(digits_of(value), language); },
+                        [&](double value) { return number_text(value, language); },
                         [&](const Rgbd& colour) { return colour_text(colour, language); },
                         [&](Fraction share) { return percent_text(share.value, language, more_digits); },
                         [&](RayKind kind) { return std::string(text(kind, language)); },
@@ -127,10 +127,11 @@ std::string typeset_power(std::string digits, Language language) {
   const std::string power = std::to_string(std::stoi(digits.substr(at + 1)));
   std::string all;
   for (const char c : power) all += c == '-' ? std::string_view("⁻") : raised[static_cast<std::size_t>(c - '0')];
-  return typeset_number(digits.substr(0, at), language) + " · 10" + all;
+  const std::string before = digits.substr(0, at);
+  return (before == "1" ? std::string() : typeset_number(before, language) + " · ") + "10" + all;
 }
 
-std::string number_text(double value, Language language) { return typeset_number(digits_of(value), language); }
+std::string number_text(double value, Language language) { return typeset_power(digits_of(value), language); }
 
 std::string percent_text(double share, Language language, int more_digits) {
   const double percent = 100 * share;
