@@ -205,8 +205,9 @@ class Describer {
                   {{"elevation", std::abs(sky->elevation)}, {"azimuth", sky->azimuth}, {"colour", sky->radiance}}};
         if (record.light < 0) return {"walk.object_seen", {{"object", met}}};
         if (found.transmittance == Rgbd(1.0)) return {"walk.light_reached", {{"light", light(record.light)}}};
-        return {"walk.light_filtered",
-                {{"light", light(record.light)}, {"share", Fraction{max_component(found.transmittance)}}}};
+        if (const Rgbd& share = found.transmittance; share.x != share.y || share.y != share.z)
+          return {"walk.light_filtered", {{"light", light(record.light)}, {"share", share}}};
+        return {"walk.light_filtered", {{"light", light(record.light)}, {"share", Fraction{found.transmittance.x}}}};
       case Ending::depth:
       case Ending::threshold:
       case Ending::total_internal_reflection:

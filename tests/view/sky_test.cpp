@@ -70,9 +70,10 @@ TEST_CASE("the ring has the sky's colour in every direction of the plan") {
 }
 
 TEST_CASE("paths are told how often they aim there; who samples no sky is not") {
-  CHECK(says(state_of(under_sky(Integrator::path)), "plan.sky_sampled"));
+  CHECK(says(state_of(under_sky(Integrator::path)), "plan.sky"));
+  CHECK(says(state_of(under_sky(Integrator::path)), "plan.sky_curve"));
   CHECK(says(state_of(under_sky(Integrator::whitted)), "plan.sky"));
-  CHECK_FALSE(says(state_of(under_sky(Integrator::whitted)), "plan.sky_sampled"));
+  CHECK_FALSE(says(state_of(under_sky(Integrator::whitted)), "plan.sky_curve"));
   CHECK_FALSE(says(classic_state(), "plan.sky"));
 }
 
@@ -98,6 +99,7 @@ TEST_CASE("where the current ray meets the sky, the ring is marked, and the sent
       marks += on_ring && dot(unit(at), flat) > 1 - 1e-4;
     }
     CHECK(marks == 1);
+    CHECK(says(state, "plan.sky_met"));
     const Message said = describe(state.scene(), timeline, i + 1);
     CHECK((said.id == "walk.found_sky" || said.id == "walk.found_sky_below"));
   }
@@ -128,7 +130,7 @@ TEST_CASE("the words about the sky stand inside of its ring, whatever rays there
       const DisplayList list = plan_view(state);
       const auto words = std::find_if(list.begin(), list.end(), [&](const DisplayItem& item) {
         const auto* said = std::get_if<TextItem>(&item.shape);
-        return said != nullptr && said->text == text("plan.sky_sampled", state.appearance.language);
+        return said != nullptr && said->text == text("plan.sky_curve", state.appearance.language);
       });
       REQUIRE(words != list.end());
       const auto& said = std::get<TextItem>(words->shape);

@@ -186,7 +186,8 @@ void SkyRoom::draw_in_plan(Painter& painter) {
   const auto said = [&](std::string_view id) {
     return painter.note_off_bodies(places, std::string(text(id, painter.state.appearance.language)));
   };
-  if (!of_paths || !said("plan.sky_sampled")) said("plan.sky");
+  if (!place_met(painter, *sky) || !said("plan.sky_met")) said("plan.sky");
+  if (of_paths) said("plan.sky_curve");
 }
 
 }  // namespace raywalk
