@@ -83,21 +83,9 @@ inline constexpr auto kernel_sets = [] {
     for (const Scattering& to : scatterings)
       for (const auto& [shadows, penumbra] : lights)
         for (const bool textures : {no, yes}) {
-          const HitEffects set{to.reflection,
-                               to.refraction,
-                               textures,
-                               penumbra,
-                               to.lobes,
-                               shadows,
-                               to.nesting,
-                               yes,
-                               no,
-                               no,
-                               no,
-                               no,
-                               no,
-                               no,
-                               no};
+          HitEffects set = sharp_rays;
+          set.reflection = to.reflection, set.refraction = to.refraction, set.lobes = to.lobes;
+          set.nesting = to.nesting, set.textures = textures, set.shadows = shadows, set.penumbra = penumbra;
           if (set == widened(set)) sets[at++] = set;
         }
     sets[at++] = no_occlusion;  // for looking, and need not be fast

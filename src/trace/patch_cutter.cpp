@@ -1,7 +1,6 @@
 #include "trace/patch_cutter.h"
 
 #include "math/elementary.h"
-#include "math/overloaded.h"
 
 #include <algorithm>
 #include <cmath>

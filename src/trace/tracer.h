@@ -89,6 +89,10 @@ class Tracer {
   struct Generation {
     int number = 0;
   };
+  /// The rays formed before the current pixel; only in the same kernels, which give a pixel so many.
+  struct Formed {
+    int rays = 0;
+  };
   /// The differential of a ray that was spawned, or of any that has arrived at a hit; only in kernels that filter and
   /// spawn rays.
   struct Neighbours {
@@ -269,10 +273,10 @@ class Tracer {
   typename RayGenerator<T>::PixelDraws pixel_draws_;
   [[no_unique_address]] Only<draws, RandomKey> key_{};  ///< of the current sample
   [[no_unique_address]] Only<Policy::effects.bounced, Bounced> bounced_{};
-  int rays_formed_ = 0;                                                  ///< numbers the rays of a recording
-  [[no_unique_address]] Only<Policy::faulty, Generation> generation_{};  ///< rays formed before the current pixel
-  std::vector<int> filters_met_;                                         ///< kept so that no shadow ray allocates
-  std::vector<int> last_blockers_;                                       ///< by light: the shadow cache
+  int rays_formed_ = 0;  ///< numbers the rays of a recording
+  [[no_unique_address]] Only<Policy::faulty, Formed> before_pixel_{};
+  std::vector<int> filters_met_;        ///< kept so that no shadow ray allocates
+  std::vector<int> last_blockers_;      ///< by light: the shadow cache
   std::vector<int> possible_blockers_;  ///< primitives that may occlude the current light from the current hit
   ShadowHints hints_;                   ///< for the shadow rays between these two
   [[no_unique_address]] std::conditional_t<Policy::effects.nesting, NestedMedia<T>, NoNestedMedia<T>> nested_;

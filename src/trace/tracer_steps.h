@@ -67,7 +67,7 @@ Found describe_missed(int ray_number, Ending ending, const World<T>& world, cons
 template <class Policy>
 void Tracer<Policy>::begin(const Pixel& pixel) {
   if constexpr (draws) key_ = camera_.key(pixel, Effect::penumbra);
-  if constexpr (Policy::faulty) generation_.number = rays_formed_;
+  if constexpr (Policy::faulty) before_pixel_.rays = rays_formed_;
   note(Line::for_each_pixel, 0, [&] { return PixelBegun{pixel.column, pixel.row, pixel.sample}; });
 }
 
@@ -124,7 +124,7 @@ bool Tracer<Policy>::runs_away(const TreeRay& parent) const {
   if constexpr (Policy::faulty) {
     constexpr int max_generations = 40, max_rays = 500;  // of a pixel
     if (world_.fault == Fault::depth_not_counted)
-      return parent.generation.number >= max_generations || rays_formed_ - generation_.number >= max_rays;
+      return parent.generation.number >= max_generations || rays_formed_ - before_pixel_.rays >= max_rays;
   }
   return false;
 }

@@ -91,6 +91,8 @@ add_custom_command(
   COMMAND "${CMAKE_COMMAND}" -E copy_directory "${CMAKE_SOURCE_DIR}/lessons" "${data}/lessons"
   COMMAND "${CMAKE_COMMAND}" -E rm -r "${data}/lessons/README.md" "${data}/lessons/words" # for `lesson check` alone
   COMMAND find "${data}/lessons" -name "*.toml" -exec sed -i "/^ *#/d" {} + # what they say to their writers
+  # What to try in a shell; the classic scene's comments say how a scene is written.
+  COMMAND find "${data}/scenes" -name "*.toml" ! -name classic.toml -exec sed -i "/^ *#/d" {} +
   COMMAND "${CMAKE_COMMAND}" -E copy ${texts} "${data}/text"
   COMMAND "${CMAKE_COMMAND}" -E copy "${licences}" "${data}"
   COMMAND "${CMAKE_COMMAND}" -E touch "${data}.done"
