@@ -1,6 +1,7 @@
 // The commands for how the window looks and speaks.
 
 #include "gui/command.h"
+#include "view/lesson/lesson_panel.h"
 
 namespace raywalk {
 
@@ -21,6 +22,11 @@ std::string language_label(const State& state, bool in_short) {
   if (in_short) return std::string(state.appearance.language.next().sign());
   return fill("command.language.label", state.appearance.language) + ": " +
          std::string(state.appearance.language.name());
+}
+
+bool are_exchanged(const State& state) {
+  return state.appearance.exchanges() ||
+         (state.walk.mode == Mode::move && lesson_enlarges(state) && state.lessons.large_in_move);
 }
 
 }  // namespace
@@ -45,7 +51,7 @@ Commands AppearanceRoom::commands() {
        .enabled = [](const State& state) { return state.appearance.language.code() != "en"; },
        .chosen = [](const State& state) { return state.appearance.english_code; }, .turn = turn<action::SetEnglishCode>},
       {.name = "exchange", .keys = {"X"}, .section = Section::window,
-       .chosen = [](const State& state) { return state.appearance.exchanges(); }, .run = act<action::ExchangePanes>},
+       .chosen = are_exchanged, .run = act<action::ExchangePanes>},
       {.name = "menu", .keys = {"F10"}, .line = "keys.menus", .run = wish<WindowWish::menu>},
       {.name = "full-screen", .keys = {"F11"}, .section = Section::window, .line = "keys.menus",
        .run = wish<WindowWish::full_screen>},

@@ -286,7 +286,7 @@ TEST_CASE("a class shows hands for the choices, and the answer says how many wer
   const LessonPanel panel = lesson_panel(state);
   int right = 0;
   for (const LessonChoice& choice : panel.choices) right += choice.right ? choice.hands : 0;
-  CHECK(panel.hands == std::to_string(right) + " of 7 hands were right");
+  CHECK(panel.hands == "Right: " + std::to_string(right) + " of 7 hands");
   update(state, action::ShowHands{0, 1});
   CHECK(lesson_panel(state).choices[0].hands == 2);
   update(state, action::GoToLessonStep{state.lessons.step + 1});
@@ -442,6 +442,10 @@ TEST_CASE("a step with a bug asks for the line at fault, and mends the tracer wh
   CHECK(state.walk.timeline->steps() == state.lessons.at()->walk->timeline.steps());
   update(state, action::GoToLessonStep{step});
   CHECK(state.walk.bug);
+  CHECK(lesson_panel(state).is_right);  // as it was left
+  update(state, action::SetLessonOptions{true});
+  update(state, action::GoToLessonStep{step});
+  CHECK_FALSE(state.lessons.revealed);  // for another class
   update(state, action::GuessChoice{0});
   update(state, action::MarkLine{Line::form_shadow_ray});
   update(state, action::RevealLesson{});

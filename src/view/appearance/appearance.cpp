@@ -2,6 +2,7 @@
 
 #include "view/action.h"
 #include "view/document/document.h"
+#include "view/lesson/lesson_panel.h"
 #include "view/plan/pointer.h"
 #include "view/text/text.h"
 
@@ -41,6 +42,11 @@ void action::DividePanes::apply(State& state) const {
 }
 
 void action::ExchangePanes::apply(State& state) const {
+  // There alone: exchanged for good, what the step shows large would be small again in Trace.
+  if (state.walk.mode == Mode::move && lesson_enlarges(state) && !state.appearance.exchanges()) {
+    state.lessons.large_in_move = !state.lessons.large_in_move;
+    return;
+  }
   std::vector<Tab>& exchanged = state.appearance.exchanged;
   if (std::erase(exchanged, state.appearance.tab) == 0) exchanged.push_back(state.appearance.tab);
 }

@@ -129,7 +129,7 @@ bool lesson_enlarges(const State& state) {
 }
 
 bool tells_lessons_answer(const State& state) {
-  if (!question_waits(state) || state.lessons.at()->step->pictures.empty()) return false;
+  if (!withholds_answer(state) || state.lessons.at()->step->pictures.empty()) return false;
   // What this step shows, or the last one before it that shows something: a picture is then what is asked about.
   const LessonBeside own = state.lessons.at()->step->pane;
   return (own == LessonBeside::unchanged ? left_before(state.lessons) : own) != LessonBeside::picture;
@@ -140,7 +140,8 @@ bool has_plans_place(const State& state) {
   const PlayedStep* step = state.lessons.shown ? state.lessons.at() : nullptr;
   if (step != nullptr && step->step->pane == LessonBeside::microscope && tab == MicroscopeRoom::tab)
     return !question_waits(state);
-  return tab.large || (lesson_enlarges(state) && state.walk.mode != Mode::move);  // in Move the plan is worked on
+  // In Move the plan is worked on.
+  return tab.large || (lesson_enlarges(state) && (state.walk.mode != Mode::move || state.lessons.large_in_move));
 }
 
 LessonPanel lesson_panel(const State& state) {

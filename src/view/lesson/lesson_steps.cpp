@@ -153,6 +153,7 @@ void end_lesson(State& state, const std::string& /*name*/) {
   if (!own) return;
   show_document(state, own->document, own->path);
   state.walk.mode = own->mode;
+  state.walk.position = std::min(own->position, state.walk.timeline->steps());
 }
 
 }  // namespace
@@ -181,11 +182,14 @@ bool open_lesson(State& state, const std::string& name, std::optional<int> step)
   forget_autosave(state);
   if (!sitting.open && saved_scene(state) != Scene{}) {
     // Unsaved work was asked about, and discarded.
-    sitting.own = std::make_shared<const OwnScene>(OwnScene{saved_document(state), state.document.path, mode});
+    sitting.own = std::make_shared<const OwnScene>(
+        OwnScene{saved_document(state), state.document.path, mode, state.walk.position});
   }
   sitting.open = opened;
+  sitting.answered.clear();
   sitting.last = name;
   sitting.step = at;
+  sitting.large_in_move = false;
   sitting.shown = true;
   show_as_left(state);
   stage(state);
@@ -246,11 +250,17 @@ void action::GoToLessonStep::apply(State& state) const {
   read_progress(state);
   write_progress(state);
   if (to >= panel.steps) return LeaveLesson{}.apply(state);
-  const bool jumps = to < sitting.step || to > sitting.step + 1;
+  const bool jumps = to < sitting.step || to > sitting.step + 1, asks_again = to == sitting.step || sitting.presenter;
   sitting.step = to;
+  sitting.large_in_move = false;
   if (jumps) show_as_left(state);
   stage(state);
   FitView{}.apply(state);  // a step speaks of the whole, wherever the one before it was looked at closely
+  // Who looks back finds the answer that was there; a presenter asks another class.
+  if (const auto answered = sitting.answered.find(to); answered != sitting.answered.end() && !asks_again) {
+    sitting.guess = answered->second;
+    RevealLesson{}.apply(state);
+  }
 }
 
 void action::GuessChoice::apply(State& state) const {
@@ -284,6 +294,7 @@ void action::RevealLesson::apply(State& state) const {
   }
   render_pictures(state, sitting.open, sitting.step);
   sitting.revealed = true;
+  sitting.answered[sitting.step] = sitting.guess;
   const bool is_first = sitting.counted.emplace(sitting.open->lesson.name, sitting.step).second;
   if (const auto verdict = judge(sitting); verdict && is_first) {
     ++sitting.judged;

@@ -52,6 +52,7 @@ struct OwnScene {
   SceneDocument document;
   std::string path;  ///< empty: never saved
   Mode mode{};
+  int position = 0;  ///< of its walk
 };
 
 }  // namespace raywalk
@@ -157,12 +158,14 @@ struct LessonRoom {
   bool revealed = false;                ///< the answer of this step is shown
   LessonGuess guess;
   std::vector<int> hands;                         ///< of a class, for each choice of this step
+  std::map<int, LessonGuess> answered;            ///< the guesses of the steps of `open` that were revealed
   int right = 0, judged = 0;                      ///< first predictions of this session
   std::set<std::pair<std::string, int>> counted;  ///< lessons and steps of these questions
   bool presenter = false;                         ///< shows of hands, every lesson open, and the notes
   bool notes = false;                             ///< the pane shows presenter's script and teacher's notes
   bool notes_window = false;                      ///< the notes have a window of their own
   bool unlocked = false;                          ///< any lesson may be opened, and questions may be skipped
+  bool large_in_move = false;                     ///< what this step enlarges stays so while its scene is changed
   std::map<std::string, int, std::less<>> done;   ///< finished steps of each lesson
 
   [[nodiscard]] const PlayedStep* at() const {

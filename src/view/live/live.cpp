@@ -20,7 +20,7 @@ void action::ChooseLiveCell::apply(State& state) const {
 void LiveRoom::follow(State& state, const Before& before) {
   LiveRoom& live = state.live;
   // An open question would be answered by its rays.
-  if (state.walk.mode != Mode::move || live.rays == LiveRays::off || question_waits(state))
+  if (state.walk.mode != Mode::move || live.rays == LiveRays::off || withholds_answer(state))
     live.shown = false;
   else if (state.walk.timeline != before.timeline && state.document.dirty)
     live.shown = true;

@@ -82,6 +82,8 @@ struct SpaceRoom {
   using Actions = Types<action::WalkPixel, action::WalkStrip, action::Orbit, action::Shift, action::Approach,
                         action::ResetView, action::UseImageCamera, action::ShowLines>;
   static Commands commands();
+  static constexpr Layer layer = Layer::over_rays;
+  static void draw_in_plan(Painter& painter);
 
   std::optional<Camera> lines_camera;        ///< absent: shows the whole scene
   std::optional<bool> lines_wanted;          ///< chosen by hand; absent: lines if the plan cannot show the walk

@@ -2,13 +2,17 @@
 
 #include "view/action.h"
 #include "view/document/document.h"
+#include "view/plan/painter.h"
 #include "view/space/lines_view.h"
 #include "view/space/orbit.h"
 #include "view/text/text.h"
 #include "view/walk/walk.h"
 
 #include <algorithm>
+#include <string>
+#include <string_view>
 #include <tuple>
+#include <vector>
 
 namespace raywalk {
 
@@ -48,6 +52,7 @@ Vec3d pivot(const State& state, SpaceView view, const Camera& camera) {
 
 void walk_something(State& state, std::optional<PixelWalk> walk) {
   state.walk.playing = false;
+  if (!state.walk.pixel) state.walk.strip_position = state.walk.position;
   state.walk.pixel = std::move(walk);
   state.walk.position = 0;
   record_again(state);
@@ -72,6 +77,7 @@ void action::WalkPixel::apply(State& state) const {
 void walk_strip(State& state) {
   if (!state.walk.pixel) return;
   walk_something(state, std::nullopt);
+  state.walk.position = std::min(state.walk.strip_position, state.walk.timeline->steps());
   state.space.lines_wanted.reset();
 }
 
@@ -107,6 +113,19 @@ void action::ResetView::apply(State& state) const {
       state.space.lines_camera.reset();
       return;
   }
+}
+
+void SpaceRoom::draw_in_plan(Painter& painter) {
+  if (!painter.state.walk.pixel) return;
+  const double unit = painter.sizes.unit, width = painter.viewport.width, height = painter.viewport.height;
+  std::vector<Vec2d> places;
+  for (const double row : {16.0, 40.0, 64.0})
+    for (const double y : {height - row * unit, row * unit})
+      for (const double x : {0.5, 0.35, 0.65, 0.25, 0.75}) places.emplace_back(x * width, y);
+  const auto said = [&](std::string_view id) {
+    return painter.note_off_bodies(places, std::string(text(id, painter.state.appearance.language)));
+  };
+  if (!said("plan.off_plane")) said("plan.off_plane_short");
 }
 
 void action::ShowLines::apply(State& state) const {

@@ -101,7 +101,12 @@ bool question_waits(const State& state) {
   return state.walk.position == step.asked && is_staged(state);
 }
 
-bool hides_rays_to_come(const State& state) { return question_waits(state) || state.predictions.on; }
+bool withholds_answer(const State& state) {
+  if (question_waits(state)) return true;
+  return state.walk.mode == Mode::move && state.lessons.shown && is_open_question(state.lessons);
+}
+
+bool hides_rays_to_come(const State& state) { return withholds_answer(state) || state.predictions.on; }
 
 std::optional<Vec2d> arrow_origin(const State& state) {
   const PlayedStep* step = state.lessons.at();

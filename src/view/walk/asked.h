@@ -21,6 +21,10 @@ namespace raywalk {
 /// walks freely.)
 [[nodiscard]] bool question_waits(const State& state);
 
+/// Whether the answer of an open question would be in sight here, if it were shown: where the walk is asked about, and
+/// in Move, whatever the scene is by then.
+[[nodiscard]] bool withholds_answer(const State& state);
+
 /// Whether rays to come must not be shown: they would be the answer.
 [[nodiscard]] bool hides_rays_to_come(const State& state);
 

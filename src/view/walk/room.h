@@ -205,6 +205,7 @@ struct WalkRoom {
   bool planar = true;                        ///< the scene's strip is a row of its picture
   std::optional<Bug> bug;                    ///< the tracer's current fault: from a hunt or a lesson's step
   int position = 0;                          ///< 0..timeline->steps()
+  int strip_position = 0;                    ///< while `pixel` is walked: where the walk of the strip was
   bool playing = false;
   double lines_per_second = 4;  ///< of AUTO; with grains ray and pixel: rays or pixels per second
   double owed = 0;              ///< steps due from ticks, below 1 between ticks
