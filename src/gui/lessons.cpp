@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace raywalk {
 
@@ -139,7 +140,16 @@ void head(const Ui& ui, const LessonPanel& panel, const Rect& where, bool open) 
   if (!panel.told_in.empty()) paragraph(ui.colours.dim_text, panel.told_in);
 }
 
-void answer(const Ui& ui, const LessonPanel& panel) {
+/// Scrolls so that what stands from `begin` to `end` is whole, else its beginning; `before`: with so much above it
+/// where there is room for that. Heights in the pane's content.
+void scroll_to(float begin, float end, float before, float margin) {
+  const float room = ImGui::GetWindowHeight();
+  ImGui::SetScrollY(std::min(begin - margin, std::max(begin - before, end + margin - room)));
+}
+
+// Returns where what has to be read ends: with the change to make, if both are lower than `room`.
+float answer(const Ui& ui, const LessonPanel& panel, float room) {
+  const float begin = ImGui::GetCursorPosY();
   if (!panel.verdict.empty())
     heading(ui, panel.is_right ? Shades(ui.state.appearance.theme).accent : ui.colours.error,
             (panel.is_right ? "\u2713 " : "\u2717 ") + panel.verdict);
@@ -151,9 +161,11 @@ void answer(const Ui& ui, const LessonPanel& panel) {
     pop_font();
   }
   if (!panel.reveal.empty()) prose(ui, ui.colours.text, panel.reveal);
-  if (panel.change.empty()) return;
+  const float end = ImGui::GetCursorPosY();
+  if (panel.change.empty()) return end;
   heading(ui, ui.colours.text, ui.say("lesson.change"));
   prose(ui, ui.colours.text, panel.change);
+  return ImGui::GetCursorPosY() - begin < room ? ImGui::GetCursorPosY() : end;
 }
 
 void notes(const Ui& ui, const LessonPanel& panel) {
@@ -269,10 +281,15 @@ void LessonPane::draw(const Ui& ui, const Rect& where) {
   const Pane pane(ui, "lesson", where, ui.colours.panel, {ui.px(16), ui.px(12)},
                   ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   if (!pane) return;
-  const std::string shown_for = panel.lesson + "/" + std::to_string(panel.step) + (sitting.revealed ? "!" : "");
+  const std::string shown_for = panel.lesson + "/" + std::to_string(panel.step) +
+                                (sitting.revealed ? "!"
+                                 : panel.astray   ? "?"
+                                                  : "");
   const bool is_new = shown_for_ != shown_for;
   if (is_new && !sitting.revealed) number_.clear();
   shown_for_ = shown_for;
+  // A scroll bar that appears makes lines shorter, and more of them.
+  settling_ = is_new ? 3 : std::max(settling_ - 1, 0);
   const bool open = sitting.at() != nullptr;
   const float width = ImGui::GetContentRegionAvail().x, height = button_height(ui), left = where.x + ui.px(16);
   const bool alone = ui.state.focus.on && has_question(ui.state);  // the question, and what leads to it above
@@ -290,16 +307,17 @@ void LessonPane::draw(const Ui& ui, const Rect& where) {
     if (open) {
       if (!panel.summary.empty() && !alone) prose(ui, ui.colours.dim_text, panel.summary);
       if (!alone || !is_low) prose(ui, ui.colours.text, panel.text);
+      const float asked = ImGui::GetCursorPosY(), margin = ui.px(12);  // below the mark
       if (panel.asks != Asks::nothing) question(ui, panel, is_new, is_low);
+      // The first hand that goes up wants the choices in sight.
+      const int hands = std::accumulate(sitting.hands.begin(), sitting.hands.end(), 0);
+      if (hands > 0 && hands_ == 0 && !sitting.revealed) scroll_to(asked, ImGui::GetCursorPosY(), asked, margin);
+      hands_ = hands;
       if (alone && is_new && !is_low && !sitting.revealed) ImGui::SetScrollHereY(1);
-      // Scrolls a new answer into view, with its context where there is room for both.
-      if (is_new && sitting.revealed) {
-        if (!is_low)
-          ImGui::SetScrollHereY(0.35f);
-        else  // at the top, and nothing of the last choice, which would be cut and so be blank
-          ImGui::SetScrollFromPosY(ImGui::GetCursorPosY() - ImGui::GetScrollY() - ui.px(12), 0);  // below the mark
-      }
-      answer(ui, panel);
+      const float begin = ImGui::GetCursorPosY(), end = answer(ui, panel, room - 2 * margin);
+      // A new answer comes into view, with its context where there is room for both. In a low pane it is at the top,
+      // and nothing of the last choice, which would be cut and so be blank.
+      if (settling_ > 0 && sitting.revealed) scroll_to(begin, end, is_low ? margin : 0.35f * room, margin);
       // Where the question has scrolled away, below what speaks of it.
       if (offers_cure(ui, panel) && is_low) cure(ui, {ImGui::GetContentRegionAvail().x, height});
       if (!alone) notes(ui, panel);

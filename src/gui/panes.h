@@ -107,6 +107,8 @@ class LessonPane {
   std::string number_;     ///< as typed
   bool types_ = false;     ///< whether somebody types it
   std::string shown_for_;  ///< the step that `number_` and the scrolling belong to
+  int settling_ = 0;       ///< for so many more frames what is new is scrolled into view
+  int hands_ = 0;          ///< of the class, for this step, in the last frame
 };
 
 /// In a lesson's question, digits are for choices (with a presenter, for hands of the class), and Enter for the answer
