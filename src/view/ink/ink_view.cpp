@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <vector>
 
 namespace raywalk {
 
@@ -32,6 +34,19 @@ void add_words(Painter& painter, const Vec2d& at, const std::string& words, doub
   painter.add(
       PolygonItem{{low, {high.x, low.y}, high, {low.x, high.y}}, painter.colours.plan.with_alpha(200), std::nullopt});
   painter.add(TextItem{at, words, size, colour, anchor});
+}
+
+/// The words of a tool in the middle of the first of these places where they cover no name; else in the first.
+void add_reading(Painter& painter, const std::vector<Vec2d>& places, const std::string& words, Colour colour) {
+  const double size = painter.sizes.text;
+  const Vec2d half(text_width(words, size) / 2 + 0.25 * size, 0.62 * size);
+  const auto is_free = [&](const Vec2d& at) {
+    const PixelRect box{at - half, at + half};
+    return std::none_of(painter.kept_free.begin(), painter.kept_free.end(),
+                        [&](const PixelRect& taken) { return box.overlap(taken) > 0; });
+  };
+  const auto free = std::find_if(places.begin(), places.end(), is_free);
+  add_words(painter, free == places.end() ? places.front() : *free, words, size, colour, TextAnchor::middle);
 }
 
 void draw(Painter& painter, const InkMark& mark, const PenStroke& pen) {
@@ -72,11 +87,15 @@ void draw(Painter& painter, const InkMark& mark, const Ruler& ruler) {
     painter.add_clipped({at, at + (i % 5 == 0 ? 8 : 4.5) * unit * across, tick});
   }
   const std::string words = reading_of(mark, painter.state.appearance.language);
-  // On the side without marks.
+  // On the side without marks, else on the other.
   const double half = text_width(words, painter.sizes.text) / 2;
   const double away = 6 * unit + std::abs(across.x) * half + std::abs(across.y) * 0.62 * painter.sizes.text;
-  add_words(painter, painter.seen_middle(from, to) - away * across, words, painter.sizes.text, line.colour,
-            TextAnchor::middle);
+  const Vec2d first = painter.seen_end(to, from), last = painter.seen_end(from, to);
+  std::vector<Vec2d> places;
+  for (const double side : {-away, away + 8 * unit})
+    for (const double part : {0.5, 0.35, 0.65, 0.2, 0.8})
+      places.push_back(first + part * (last - first) + side * across);
+  add_reading(painter, places, words, line.colour);
 }
 
 void draw(Painter& painter, const InkMark& mark, const Protractor& tool) {
@@ -102,7 +121,9 @@ void draw(Painter& painter, const InkMark& mark, const Protractor& tool) {
   const std::string words = reading_of(mark, painter.state.appearance.language);
   const double half = text_width(words, painter.sizes.text) / 2;
   const double away = radius + 6 * unit + std::abs(middle.x) * half + std::abs(middle.y) * 0.62 * painter.sizes.text;
-  add_words(painter, vertex + away * middle, words, painter.sizes.text, arm.colour, TextAnchor::middle);
+  std::vector<Vec2d> places;
+  for (const double farther : {0.0, 20.0, 40.0, 70.0}) places.push_back(vertex + (away + farther * unit) * middle);
+  add_reading(painter, places, words, arm.colour);
 }
 
 }  // namespace

@@ -263,7 +263,8 @@ void Drawing::point_at(const PointMark& mark) {
   const Stroke stroke{painter_.colours.error, 2.4 * unit_};
   painter_.add(LineItem{tip - arrow, tip, stroke, 11 * unit_});
   label(tip - arrow / 2.0, 16 * unit_,
-        fill("microscope.off_sight", painter_.state.appearance.language,
+        fill(mark.sign == Sign::naive_start ? "microscope.naive_off_sight" : "microscope.off_sight",
+             painter_.state.appearance.language,
              {{"point", name_of(mark)},
               {"ulps", ulps_text(specimen_.in_ulps(length(way) / scale_), painter_.state.appearance.language)}}));
 }

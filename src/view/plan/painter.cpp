@@ -165,7 +165,7 @@ bool Painter::note(const std::vector<Vec2d>& places, const std::string& text,
            std::none_of(leaders.begin(), leaders.end(), [&](const auto& line) { return box.meets(line[0], line[1]); });
   };
   std::optional<Vec2d> best;
-  constexpr double of_ray = 2, of_outline = 6;  // the background of a text would bite a piece out of a body
+  constexpr double of_ray = 6, of_outline = 6;  // the background of a text would bite a piece out of a body
   double least = 0;
   for (const Vec2d& place : places) {
     const PixelRect box{place - half, place + half};

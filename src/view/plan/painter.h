@@ -87,7 +87,7 @@ class Painter {
   void keep_free(const Vec2d& at, double radius) { kept_free.push_back({at - radius, at + radius}); }
 
  private:
-  /// The same, where each place costs this much `more` than the lines that it lies on, of which a ray costs 2; if
+  /// The same, where each place costs this much `more` than the lines that it lies on, of which a ray costs 6; if
   /// infinitely much, it is none. `off_bodies`: nor is one on the outline of a body.
   bool note(const std::vector<Vec2d>& places, const std::string& text, const std::function<double(const Vec2d&)>& more,
             bool off_bodies = false);

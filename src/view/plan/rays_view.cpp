@@ -93,6 +93,7 @@ void draw_normal(Painter& painter, const RayRecord& ray) {
   LineItem line{at, at + 26 * painter.sizes.unit * normal, painter.stroke(painter.colours.normal),
                 5 * painter.sizes.unit};
   painter.prominent.push_back({line.from, line.to});
+  painter.add_clipped({line.from, line.to, {painter.halo(), 2.6 * line.stroke.width}});  // seen on a body of its colour
   painter.add_clipped(line);
 }
 
