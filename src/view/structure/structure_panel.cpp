@@ -97,7 +97,7 @@ class PanelWords {
         panel_.sentence = say("structure.being_searched");
         return;
       }
-      if (question_waits(state_)) {
+      if (withholds_answer(state_)) {
         panel_.sentence = say("lesson.predict_first");
         return;
       }
@@ -210,7 +210,7 @@ class PanelWords {
     return sentence + " " +
            (search.t ? say("structure.found",
                            {{"name", sitting_.walks->name(search.primitive, language_)}, {"t", number(*search.t)}})
-                     : say("structure.found_nothing"));
+                     : say(to_light() ? "structure.found_no_blocker" : "structure.found_nothing"));
   }
 
   void build() {

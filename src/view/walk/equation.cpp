@@ -244,15 +244,19 @@ class EquationWriter {
 
   void write(const Found& found) {
     const bool shadow = current().kind == RayKind::shadow;
-    if (found.object < 0) row(Kind::note, shadow ? Word{"equation.nothing_between"} : Word{"equation.nothing_ahead"});
+    if (found.object < 0)
+      row(Kind::note, !shadow                            ? Word{"equation.nothing_ahead"}
+                      : found.transmittance == Rgbd(1.0) ? Word{"equation.nothing_between"}
+                                                         : Word{"equation.filters_between"});
     std::visit([&](const auto& numbers) { solve(numbers, found.t); }, found.numbers);
     if (found.object < 0) return;
     const std::string_view between = state_.appearance.language.separator();
     row(Kind::formula, shadow ? "P = P₀ + t L" : "P = O + t D");
     row(Kind::numbers, "P = ", found.point, between, "t = ", found.t);
     if (shadow) return row(Kind::note, Word{"equation.blocked_before"});
-    row(Kind::numbers, "N = ", found.normal, between, "θ = ", angle_between(facing(current()), -current().direction),
-        "°");
+    const Vec3d normal = facing(current());
+    row(Kind::numbers, "N = ", normal, between, "θ = ", angle_between(normal, -current().direction), "°");
+    if (dot(normal, found.normal) < 0) row(Kind::note, Word{"equation.normal_turned"});
   }
 
   void solve(const std::monostate& /*none*/, double /*t*/) {}
