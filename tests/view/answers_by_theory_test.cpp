@@ -81,7 +81,7 @@ constexpr std::array theory{
     Theory{"13-whitted-to-path-tracing", "ambient", "2"},
     Theory{"13-whitted-to-path-tracing", "ceiling", "1"},
     Theory{"13-whitted-to-path-tracing", "paths", "2"},
-    Theory{"13-whitted-to-path-tracing", "one-or-two", "6"},  // in, out, and once round inside, with their mirrors
+    Theory{"13-whitted-to-path-tracing", "one-or-two", "2"},  // six: in, out, and once round inside, with their mirrors
     Theory{"13-whitted-to-path-tracing", "price", "2"},       // the root of four
     Theory{"14-radiosity", "dark", "2"},
     Theory{"14-radiosity", "first", "2"},
@@ -131,7 +131,7 @@ constexpr std::array usual_mistakes{
     Theory{"11-noise", "many", "3"},                          // the number in the scene
     Theory{"12-what-accuracy-costs", "one-digit", "4"},       // price for quality
     Theory{"13-whitted-to-path-tracing", "price", "4"},       // one to one
-    Theory{"13-whitted-to-path-tracing", "one-or-two", "2"},  // a pair
+    Theory{"13-whitted-to-path-tracing", "one-or-two", "1"},  // a pair
     Theory{"15-photons", "circle", "60"},                     // with the one on the edge
     Theory{"17-skies-and-metals", "clouds", "0.67"},          // the mean without the cosine
     Theory{"17-skies-and-metals", "wall", "0.78"},            // the whole sky
