@@ -1,6 +1,8 @@
 // The commands for how the window looks and speaks.
 
 #include "gui/command.h"
+#include "gui/layout.h"
+#include "gui/panes.h"
 #include "view/lesson/lesson_panel.h"
 
 namespace raywalk {
@@ -24,12 +26,13 @@ std::string language_label(const State& state, bool in_short) {
          std::string(state.appearance.language.name());
 }
 
-bool are_exchanged(const State& state) {
-  return state.appearance.exchanges() ||
-         (state.walk.mode == Mode::move && lesson_enlarges(state) && state.lessons.large_in_move);
-}
-
 }  // namespace
+
+bool panes_exchanged(const State& state) {
+  // An upright window has less room in the plan's place than beside or below the code.
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  return exchanged_by_hand(state) != (has_plans_place(state) && !is_upright(window.x, window.y));
+}
 
 Commands AppearanceRoom::commands() {
   // clang-format off
@@ -51,7 +54,8 @@ Commands AppearanceRoom::commands() {
        .enabled = [](const State& state) { return state.appearance.language.code() != "en"; },
        .chosen = [](const State& state) { return state.appearance.english_code; }, .turn = turn<action::SetEnglishCode>},
       {.name = "exchange", .keys = {"X"}, .section = Section::window,
-       .chosen = are_exchanged, .run = act<action::ExchangePanes>},
+       .chosen = [](const State& state) { return exchanged_by_hand(state) != has_plans_place(state); },
+       .run = act<action::ExchangePanes>},
       {.name = "menu", .keys = {"F10"}, .line = "keys.menus", .run = wish<WindowWish::menu>},
       {.name = "full-screen", .keys = {"F11"}, .section = Section::window, .line = "keys.menus",
        .run = wish<WindowWish::full_screen>},

@@ -152,9 +152,7 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   wishes.transport = transport_height(with, lay_out(wishes).plan.width);
   if (!helps) wishes.strip = legend_height(with, lay_out(wishes).strip.width);
   wishes.help = helps;
-  // An upright window has less room in the plan's place than beside or below the code.
-  const bool upright = is_upright(io.DisplaySize.x, io.DisplaySize.y);
-  wishes.exchanged = state.appearance.exchanges() != (has_plans_place(state) && !upright);
+  wishes.exchanged = panes_exchanged(state);
   wishes.enlarged = lesson_enlarges(state);
   wishes.large_tab = state.appearance.tab.large;
   layout_ = lay_out(wishes);

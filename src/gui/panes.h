@@ -161,6 +161,9 @@ struct TabContext {
   int pointed_at = -1;  ///< set to the hovered ray
 };
 
+/// Whether the open tab has the plan's place, and the plan the tab's.
+[[nodiscard]] bool panes_exchanged(const State& state);
+
 /// The tabs' headings and the one that is open.
 class TabsPane {
  public:

@@ -57,7 +57,8 @@ float tab_choice(const Ui& ui, const Rect& where, float margin) {
                                      where.width - 2 * margin - height - ui.px(4));
   ImGui::SetCursorScreenPos({where.right() - margin - height, where.y + ui.px(7)});
   command_button(ui, command("exchange"), {height, height},
-                 {.look = Look::choice, .icon = Icon::exchange, .font = nullptr, .label = false});
+                 {.look = Look::choice, .icon = Icon::exchange, .font = nullptr, .label = false}, {},
+                 panes_exchanged(ui.state));
   return tabs;
 }
 

@@ -56,9 +56,9 @@ struct ButtonLook {
 };
 
 /// A button for a command: label, tooltip with its key, enabled or not, chosen or not. `size` 0: from the label.
-/// `label`: replaces the command's own.
+/// `label`, `on`: replace the command's own, and whether it is chosen.
 void command_button(const Ui& ui, const Command& command, ImVec2 size = {0, 0}, const ButtonLook& look = {},
-                    const std::string& label = {});
+                    const std::string& label = {}, std::optional<bool> on = {});
 /// The width of command_button by default.
 [[nodiscard]] float button_width(const Ui& ui, const Command& command, const ButtonLook& look = {});
 [[nodiscard]] float button_width(const Ui& ui, const std::string& label, const ButtonLook& look = {});

@@ -87,21 +87,33 @@ TEST_CASE("the walk is where it was after a pixel of the picture, and after a le
   CHECK(state.walk.position == before);
 }
 
-TEST_CASE("what is made large in Move is so in Move alone") {
+TEST_CASE("what a step shows large is exchanged by hand for that step and mode alone") {
   State state = state_with_lessons();
   update(state, action::SetLessonOptions{true, true});
   update(state, action::OpenLesson{"11-noise"});
   update(state, action::GoToLessonStep{2});
   REQUIRE(lesson_enlarges(state));
-  CHECK(has_plans_place(state));
+  const auto is_large = [&] { return exchanged_by_hand(state) != has_plans_place(state); };
+  CHECK(is_large());
   update(state, action::SetMode{Mode::move});
-  CHECK_FALSE(has_plans_place(state));
+  CHECK_FALSE(is_large());
   update(state, action::ExchangePanes{});
-  CHECK(has_plans_place(state));
-  CHECK_FALSE(state.appearance.exchanges());
+  CHECK(is_large());
   update(state, action::SetMode{Mode::trace});
-  CHECK(has_plans_place(state));
+  CHECK(is_large());
+  update(state, action::ExchangePanes{});
+  CHECK_FALSE(is_large());
+  // Neither for the next step, nor by what was exchanged elsewhere.
   update(state, action::GoToLessonStep{3});
+  CHECK(is_large());
   update(state, action::SetMode{Mode::move});
-  CHECK_FALSE(has_plans_place(state));
+  CHECK_FALSE(is_large());
+  update(state, action::LeaveLesson{});
+  update(state, action::SetTab{PictureRoom::tab});
+  CHECK_FALSE(is_large());
+  update(state, action::ExchangePanes{});
+  CHECK(is_large());
+  update(state, action::OpenLesson{"11-noise"});
+  update(state, action::GoToLessonStep{1});
+  CHECK(is_large());
 }

@@ -42,9 +42,10 @@ void action::DividePanes::apply(State& state) const {
 }
 
 void action::ExchangePanes::apply(State& state) const {
-  // There alone: exchanged for good, what the step shows large would be small again in Trace.
-  if (state.walk.mode == Mode::move && lesson_enlarges(state) && !state.appearance.exchanges()) {
-    state.lessons.large_in_move = !state.lessons.large_in_move;
+  // For this step alone: the next one shows again what it speaks of.
+  if (lesson_enlarges(state)) {
+    bool& by_hand = state.lessons.exchanged[state.walk.mode == Mode::move ? 0 : 1];
+    by_hand = !by_hand;
     return;
   }
   std::vector<Tab>& exchanged = state.appearance.exchanged;

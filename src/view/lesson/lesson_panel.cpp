@@ -140,8 +140,12 @@ bool has_plans_place(const State& state) {
   const PlayedStep* step = state.lessons.shown ? state.lessons.at() : nullptr;
   if (step != nullptr && step->step->pane == LessonBeside::microscope && tab == MicroscopeRoom::tab)
     return !question_waits(state);
-  // In Move the plan is worked on.
-  return tab.large || (lesson_enlarges(state) && (state.walk.mode != Mode::move || state.lessons.large_in_move));
+  return tab.large || (lesson_enlarges(state) && state.walk.mode != Mode::move);  // in Move the plan is worked on
+}
+
+bool exchanged_by_hand(const State& state) {
+  return lesson_enlarges(state) ? state.lessons.exchanged[state.walk.mode == Mode::move ? 0 : 1]
+                                : state.appearance.exchanges();
 }
 
 LessonPanel lesson_panel(const State& state) {

@@ -77,6 +77,8 @@ struct LessonPanel {
 /// Whether the open tab has the plan's place, and the plan the tab's: a large one, or where the step of a lesson wants
 /// it so. What waits for an answer lets the plan be seen first.
 [[nodiscard]] bool has_plans_place(const State& state);
+/// Whether a person has exchanged them: of what a step enlarges for that step and mode alone, else of the open tab.
+[[nodiscard]] bool exchanged_by_hand(const State& state);
 
 /// Whether a guess counts as right, and its error: in degrees for an arrow, else in the question's unit; 0 or 1 for a
 /// choice.

@@ -7,6 +7,7 @@
 #include "view/room.h"
 #include "view/walk/room.h"
 
+#include <array>
 #include <map>
 #include <memory>
 #include <optional>
@@ -165,8 +166,8 @@ struct LessonRoom {
   bool notes = false;                             ///< the pane shows presenter's script and teacher's notes
   bool notes_window = false;                      ///< the notes have a window of their own
   bool unlocked = false;                          ///< any lesson may be opened, and questions may be skipped
-  bool large_in_move = false;                     ///< what this step enlarges stays so while its scene is changed
-  std::map<std::string, int, std::less<>> done;   ///< finished steps of each lesson
+  std::array<bool, 2> exchanged{};  ///< what this step enlarges and the plan, by hand; in Move and in Trace
+  std::map<std::string, int, std::less<>> done;  ///< finished steps of each lesson
 
   [[nodiscard]] const PlayedStep* at() const {
     return open && step < static_cast<int>(open->played.steps.size())
