@@ -138,9 +138,17 @@ void render_pictures(const State& state, const std::shared_ptr<const OpenedLesso
   });
 }
 
-/// Whether a step says its answer as soon as it is reached; else a question comes first.
-bool tells_at_once(const State& state, const PlayedStep& step) {
-  return !step.step->question || state.lessons.presenter;
+/// Whether pictures of a step are spoken of as soon as it is reached: its answer is told at once, or its words before a
+/// question have numbers of them.
+bool needs_pictures(const State& state, const OpenedLesson& opened, int at) {
+  const PlayedStep& step = opened.played.steps[static_cast<std::size_t>(at)];
+  if (!step.step->question || state.lessons.presenter) return true;
+  const StepWords* said = opened.lesson.told(state.appearance.language).find(step.step->id);
+  return said != nullptr && std::any_of(step.pictures.begin(), step.pictures.end(), [&](const auto& picture) {
+           const std::string before = said->text.text + said->question.text;
+           return before.find(picture.first + ".") != std::string::npos ||
+                  before.find("\"" + picture.first + "\"") != std::string::npos;
+         });
 }
 
 void begin_lesson(State& state, const std::string& name) { open_lesson(state, name, std::nullopt); }
@@ -178,7 +186,7 @@ bool open_lesson(State& state, const std::string& name, std::optional<int> step)
   const int steps = static_cast<int>(opened->played.steps.size());
   int at = done == sitting.done.end() || done->second >= steps ? 0 : done->second;
   if (step) at = std::clamp(*step, 0, steps - 1);
-  if (tells_at_once(state, opened->played.steps[static_cast<std::size_t>(at)])) render_pictures(state, opened, at);
+  if (needs_pictures(state, *opened, at)) render_pictures(state, opened, at);
   forget_autosave(state);
   if (!sitting.open && saved_scene(state) != Scene{}) {
     // Unsaved work was asked about, and discarded.
@@ -189,7 +197,7 @@ bool open_lesson(State& state, const std::string& name, std::optional<int> step)
   sitting.answered.clear();
   sitting.last = name;
   sitting.step = at;
-  sitting.large_in_move = false;
+  sitting.exchanged = {};
   sitting.shown = true;
   show_as_left(state);
   stage(state);
@@ -243,8 +251,7 @@ void action::GoToLessonStep::apply(State& state) const {
   // The steps between may ask.
   const bool skips = sitting.unlocked || sitting.presenter;
   const int to = std::min(step, skips ? panel.steps : sitting.step + 1);
-  if (to < panel.steps && tells_at_once(state, sitting.open->played.steps[static_cast<std::size_t>(to)]))
-    render_pictures(state, sitting.open, to);
+  if (to < panel.steps && needs_pictures(state, *sitting.open, to)) render_pictures(state, sitting.open, to);
   int& done = sitting.done[sitting.open->lesson.name];
   done = std::max(done, to);
   read_progress(state);
@@ -252,7 +259,7 @@ void action::GoToLessonStep::apply(State& state) const {
   if (to >= panel.steps) return LeaveLesson{}.apply(state);
   const bool jumps = to < sitting.step || to > sitting.step + 1, asks_again = to == sitting.step || sitting.presenter;
   sitting.step = to;
-  sitting.large_in_move = false;
+  sitting.exchanged = {};
   if (jumps) show_as_left(state);
   stage(state);
   FitView{}.apply(state);  // a step speaks of the whole, wherever the one before it was looked at closely

@@ -76,13 +76,23 @@ std::string_view short_name(RayKind kind, Language language) {
 
 bool goes_wrong(const SpawnedRays& rays) { return rays.hit_own > 0 || rays.astray > 0; }
 
+/// Where naive rays start: off the surface, to one side of it or, where some go through it, to either.
+std::string starts_text(const Specimen& specimen, const Reading& naive, Language language) {
+  const SpawnPoint& start = naive.starts.front();
+  if (!start.off) return std::string(text("microscope.somewhere", language));
+  const bool both = std::any_of(naive.starts.begin(), naive.starts.end(),
+                                [&](const SpawnPoint& other) { return other.off && *other.off * *start.off < 0; });
+  if (!both) return off_text(specimen, start.off, language);
+  return fill("microscope.either_side", language,
+              {{"ulps", ulps_text(std::abs(specimen.in_ulps(*start.off)), language)}});
+}
+
 std::string sentence_on(const Specimen& specimen, Language language) {
   const std::optional<Reading>&robust = specimen.robust, &naive = specimen.naive;
   if (!naive) return std::string(text("microscope.says_missed", language));
   if (!robust) return std::string(text("microscope.says_invented", language));
   const SpawnPoint& start = naive->starts.front();
-  const std::string starts =
-      start.off ? off_text(specimen, start.off, language) : std::string(text("microscope.somewhere", language));
+  const std::string starts = starts_text(specimen, *naive, language);
   for (const SpawnedRays& rays : naive->spawned)
     if (rays.hit_own > 0)
       return fill("microscope.says_acne", language,
@@ -145,8 +155,14 @@ MicroscopeTable microscope_table(const State& state, const Specimen& specimen) {
   if (!alike)
     table.rows.push_back(
         {std::string(text("microscope.row_hit", language)), name_of(specimen.robust), name_of(specimen.naive), true});
+  // The naive ray may itself have started elsewhere; each is right for its own.
+  constexpr double far_apart = 8;  // ulps
+  const bool own_starts = specimen.robust && specimen.naive &&
+                          specimen.in_ulps(std::abs(specimen.robust->t - specimen.naive->t)) > far_apart &&
+                          std::abs(specimen.robust->t_error.value_or(0)) < far_apart &&
+                          std::abs(specimen.naive->t_error.value_or(0)) < far_apart;
   add(
-      std::string(text("microscope.row_t", language)),
+      std::string(text(own_starts ? "microscope.row_t_own" : "microscope.row_t", language)),
       [&](const Reading& r) { return number_of(r.t, specimen.precision, language); }, false);
   add(
       std::string(text("microscope.row_t_error", language)),
@@ -166,7 +182,7 @@ MicroscopeTable microscope_table(const State& state, const Specimen& specimen) {
         const bool knows = specimen.robust && &r == &*specimen.robust;
         if (start.place == r.point && (knows || start.right_side()))
           return std::string(text("microscope.at_point", language));
-        if (start.off) return off_text(specimen, start.off, language);
+        if (start.off) return starts_text(specimen, r, language);
         return fill("microscope.away", language,
                     {{"ulps", ulps_text(specimen.in_ulps(length(start.place - r.point)), language)}});
       },

@@ -262,6 +262,7 @@ void Drawing::point_at(const PointMark& mark) {
   while (crosses_scale() && length(tip - middle_) > 2 * length(arrow)) tip -= 4 * unit_ * towards;
   const Stroke stroke{painter_.colours.error, 2.4 * unit_};
   painter_.add(LineItem{tip - arrow, tip, stroke, 11 * unit_});
+  painter_.keep_free(tip - arrow / 2.0, 12 * unit_);
   label(tip - arrow / 2.0, 16 * unit_,
         fill(mark.sign == Sign::naive_start ? "microscope.naive_off_sight" : "microscope.off_sight",
              painter_.state.appearance.language,
