@@ -289,7 +289,11 @@ bool Form::pick(const KeyLabel& of, const std::vector<std::string>& words, int& 
   if (!open) return false;
   bool now = false;
   for (std::size_t i = 0; i < words.size(); ++i) {
-    if (ImGui::Selectable(words[i].c_str(), i == at)) {
+    const bool clicked = ImGui::Selectable(words[i].c_str(), i == at);
+    // ImGui takes Space alone.
+    const bool entered = ImGui::IsItemFocused() && ImGui::IsKeyPressed(ImGuiKey_Enter, false);
+    if (entered) ImGui::CloseCurrentPopup();
+    if (clicked || entered) {
       now = i != at;
       chosen = static_cast<int>(i);
     }

@@ -163,6 +163,8 @@ void action::JudgeLine::apply(State& state) const {
 
 void action::ShowCure::apply(State& state) const {
   if (!state.bugs.hunt || state.bugs.hunt->end != BugEnd::open) return;
+  // Whoever has marked it already has found it.
+  if (state.bugs.hunt->marked == faulty_line(state.walk.bug->fault)) return end_hunt(state, BugEnd::found);
   state.bugs.hunt->marked = faulty_line(state.walk.bug->fault);
   state.bugs.hunt->acquitted.reset();
   end_hunt(state, BugEnd::given_up);
