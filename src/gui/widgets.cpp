@@ -257,8 +257,8 @@ float button_width(const Ui& ui, const Command& command, const ButtonLook& look)
   return button_width(ui, command_label(command, ui.state), look);
 }
 
-void command_button(const Ui& ui, const Command& command, ImVec2 size, const ButtonLook& look,
-                    const std::string& label, std::optional<bool> on) {
+void command_button(const Ui& ui, const Command& command, ImVec2 size, const ButtonLook& look, const std::string& label,
+                    std::optional<bool> on) {
   const bool is_chosen = look.look == Look::choice && on.value_or(chosen(command, ui.state));
   if (button(ui, command.name, label.empty() ? command_label(command, ui.state) : label,
              hint_of(command, ui.state.appearance.language), size, look, is_chosen, enabled(command, ui.state)))
