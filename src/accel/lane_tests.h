@@ -32,17 +32,25 @@ RAYWALK_LANE_TARGET inline Group at_offset(const void* first, std::size_t offset
   return loaded(reinterpret_cast<const float*>(static_cast<const char*>(first) + offset) + lane);
 }
 
+RAYWALK_LANE_TARGET inline Group enter_slab(const HeldRay& ray, const WideNode& node, int axis, unsigned lane) {
+  return (at_offset(&node, ray.near[axis], lane) - ray.from_in[axis]) * ray.inverse[axis];
+}
+RAYWALK_LANE_TARGET inline Group leave_slab(const HeldRay& ray, const WideNode& node, int axis, unsigned lane) {
+  return (at_offset(&node, ray.far[axis], lane) - ray.from_out[axis]) * ray.inverse[axis];
+}
+
 /// A bit for each box that the ray hits before `t_far`, and where it enters them (BoxEntry): all of them and, by
 /// rounding, some that it narrowly misses. NaN, from an origin in a face's plane without slope, does not limit the
-/// interval.
+/// interval; nor then does, of x and y, the other. (Two steps of `max`, where three would be waited for.)
 RAYWALK_LANE_TARGET inline unsigned meet(const HeldRay& ray, const WideNode& node, BoxEntry* entries) {
   unsigned bits = 0;
   for (unsigned lane = 0; lane < (group_lanes == tree_width ? 1 : node.count); lane += group_lanes) {
-    Group enters = all_of(0), leaves = ray.t_far;
-    for (int axis = 0; axis < 3; ++axis) {
-      enters = max((at_offset(&node, ray.near[axis], lane) - ray.from_in[axis]) * ray.inverse[axis], enters);
-      leaves = min((at_offset(&node, ray.far[axis], lane) - ray.from_out[axis]) * ray.inverse[axis], leaves);
-    }
+    const Group near[] = {enter_slab(ray, node, 0, lane), enter_slab(ray, node, 1, lane),
+                          enter_slab(ray, node, 2, lane)};
+    const Group far[] = {leave_slab(ray, node, 0, lane), leave_slab(ray, node, 1, lane),
+                         leave_slab(ray, node, 2, lane)};
+    const Group enters = max(max(near[0], near[1]), max(near[2], all_of(0)));
+    const Group leaves = min(min(far[0], far[1]), min(far[2], ray.t_far));
     store_entries(entries, lane, enters);
     bits |= bits_where(enters <= leaves) << lane;
   }
@@ -81,8 +89,12 @@ RAYWALK_LANE_TARGET inline Group largest(Group a, Group b, Group c) {
 /// function's error, can be trusted from four on. Below the smallest normal float all rounding is less than `grain` and
 /// `least` account for. Where something leaves float's range, or is NaN, no comparison is true, and nothing is ruled
 /// out.
-RAYWALK_LANE_TARGET inline unsigned sift(const MeshRay& ray, float held_reach, const TrianglePack& pack,
-                                         unsigned count) {
+///
+/// With `certain`, a bit there for each triangle that is as certainly hit before its t_far, and not so near that a ray
+/// which leaves a neighbour may be taken to leave this one (Triangles::leaves_by_edge).
+template <bool wants_certain>
+RAYWALK_LANE_TARGET inline unsigned sift(const MeshRay& ray, float held_reach, const TrianglePack& pack, unsigned count,
+                                         unsigned& certain) {
   constexpr float half_ulp = std::numeric_limits<float>::epsilon() / 2, least = std::numeric_limits<float>::min();
   const unsigned all = (1U << count) - 1;
   unsigned missed = 0;
@@ -109,6 +121,14 @@ RAYWALK_LANE_TARGET inline unsigned sift(const MeshRay& ray, float held_reach, c
     const auto broad = area > all_of(4) * error;
     const auto off = (at < -slack) | (at - slack > reach * wide);
     missed |= bits_where(behind | beyond | (broad & off)) << lane;
+    if constexpr (wants_certain) {
+      const Group short_of_it = all_of(held_reach * (1 - 64 * half_ulp)), narrow = area - all_of(4) * error;
+      const Group size = across + depth + all_of(ray.size);
+      const auto inside = (min(u, min(v, w)) > error) | (max(u, max(v, w)) < -error);
+      const auto ahead = (at - slack > all_of(128 * half_ulp) * size * wide) & (at + slack < short_of_it * narrow);
+      certain |= bits_where(inside & broad & ahead) << lane;
+    }
   }
+  if constexpr (wants_certain) certain &= all;
   return ~missed & all;
 }

@@ -151,10 +151,18 @@ class MeshBvh {
   template <class Terms, class Query>
   static bool test_lane(const FoundLeaf& leaf, std::size_t lane, const Primitives<T>& primitives, Query& query) {
     const int id = leaf.ids[lane];
-    // Packs hold triangles as they are, where these are in float. (Naive rays test them by other means.)
-    if constexpr (std::is_same_v<T, float> && std::is_same_v<Terms, MeshRay>) {
-      if (const TrianglePack* pack = leaf.pack; pack != nullptr && !std::isnan(pack->corners[0][0][lane])) {
+    const TrianglePack* pack = leaf.pack;
+    if constexpr (std::is_same_v<Terms, MeshRay>) {  // naive rays test triangles by other means
+      if (pack == nullptr || std::isnan(pack->corners[0][0][lane])) return query.test(primitives, id);
+      if constexpr (!Query::shortens)
+        if ((leaf.certain >> lane & 1) != 0 && query.take(primitives, id)) return true;
+      // Packs hold triangles as they are, where these are in float.
+      if constexpr (std::is_same_v<T, float>) {
         return query.test(primitives, id, [=](int corner, int axis) { return pack->corners[corner][axis][lane]; });
+      } else {
+        const auto at = primitives.triangles().coordinates(id - primitives.shape_count());
+        return query.test(primitives, id,
+                          [&](int corner, int axis) { return at[static_cast<std::size_t>(corner)][axis]; });
       }
     }
     return query.test(primitives, id);

@@ -7,8 +7,11 @@
 #include "shape/triangle.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <type_traits>
 
@@ -28,18 +31,34 @@ struct MeshRay {
   bool held;
 
   // Of boxes: the origin relative to the planes through which the ray enters and leaves, 1 / direction, and where in a
-  // WideNode these planes are, in bytes, by axis.
-  float from_in[3], from_out[3], inverse[3];
-  std::uint32_t near[3], far[3];
+  // WideNode these planes are, in bytes, by axis. (A fourth, which means nothing, makes them whole lanes.)
+  alignas(Lanes) float from_in[4], from_out[4], inverse[4];
+  std::uint32_t near[4], far[4];
 
   // Of triangles, whose corners are sheared so that the ray is the z axis (shape/triangle.h): where in a corner of a
   // TrianglePack the axes that become x, y and z are, in bytes; the origin along them; the shear; how z grows with t,
-  // and its sign alone; and what the error of a corner is in proportion to besides the corner.
-  std::uint32_t axes[3];
-  float origin[3], shear[2], depth_per_t, forward, grain;
+  // and its sign alone; what the error of a corner is in proportion to besides the corner; and the largest coordinate
+  // of the origin.
+  std::uint32_t axes[4];
+  float origin[3], shear[2], depth_per_t, forward, grain, size;
 
  private:
   static constexpr std::uint32_t lanes_bytes = tree_width * sizeof(float);
+  using Offsets = std::array<std::uint32_t, 4>;
+  struct PlaneOffsets {
+    Offsets near, far;
+  };
+  static constexpr PlaneOffsets offsets_of(std::uint32_t negative) {
+    PlaneOffsets all{};
+    for (std::uint32_t axis = 0; axis < 3; ++axis) {
+      const std::uint32_t turned = negative >> axis & 1;
+      all.near[axis] = lanes_bytes * (axis + 3 * turned), all.far[axis] = lanes_bytes * (axis + 3 - 3 * turned);
+    }
+    return all;
+  }
+  /// By the axis that becomes z.
+  static constexpr std::array<Offsets, 3> sheared_axes{
+      {{lanes_bytes, 2 * lanes_bytes, 0}, {2 * lanes_bytes, 0, lanes_bytes}, {0, lanes_bytes, 2 * lanes_bytes}}};
   template <class T>
   void set_triangles(const ShearedRay<T>& sheared);
 };
@@ -48,12 +67,15 @@ template <class T>
 MeshRay::MeshRay(const Ray<T>& ray, const ShearedRay<T>& sheared) {
   const FloatSlabs<T> slabs(ray);
   held = slabs.held;
-  for (std::uint32_t axis = 0; axis < 3; ++axis) {
-    const bool turned = (slabs.negative >> axis & 1) != 0;
-    near[axis] = lanes_bytes * (turned ? axis + 3 : axis);
-    far[axis] = lanes_bytes * (turned ? axis : axis + 3);
-    from_in[axis] = slabs.from_in[axis], from_out[axis] = slabs.from_out[axis], inverse[axis] = slabs.inverse[axis];
-  }
+  std::memcpy(from_in, &slabs.from_in, sizeof from_in);
+  std::memcpy(from_out, &slabs.from_out, sizeof from_out);
+  std::memcpy(inverse, &slabs.inverse, sizeof inverse);
+  static constexpr std::array<PlaneOffsets, 8> plane_offsets{offsets_of(0), offsets_of(1), offsets_of(2),
+                                                             offsets_of(3), offsets_of(4), offsets_of(5),
+                                                             offsets_of(6), offsets_of(7)};
+  const PlaneOffsets& offsets = plane_offsets[slabs.negative & 7];
+  std::memcpy(near, &offsets.near, sizeof near);
+  std::memcpy(far, &offsets.far, sizeof far);
   set_triangles(sheared);
 }
 
@@ -81,10 +103,9 @@ template <class T>
 
 template <class T>
 void MeshRay::set_triangles(const ShearedRay<T>& sheared) {
-  const int of[] = {sheared.kx, sheared.ky, sheared.kz};
-  float size = 0;
+  std::memcpy(axes, &sheared_axes[static_cast<std::size_t>(sheared.kz)], sizeof axes);
+  size = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    axes[i] = lanes_bytes * static_cast<std::uint32_t>(of[i]);
     origin[i] = static_cast<float>(sheared.from[i]);
     size = std::max(size, std::abs(origin[i]));
   }

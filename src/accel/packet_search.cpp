@@ -17,7 +17,8 @@ struct FourAtATime {
     return four::rays_that_meet(packet, node, box, rays);
   }
   static unsigned sift(const MeshRay& ray, float t_far, const TrianglePack& pack, unsigned count) {
-    return four::sift(ray, four::reach_of(ray, t_far), pack, count);
+    unsigned certain;
+    return four::sift<false>(ray, four::reach_of(ray, t_far), pack, count, certain);
   }
 };
 

@@ -28,7 +28,7 @@ class PacketSearch {
   /// A bit for each ray that may hit something of the leaf, and what such a ray has found.
   [[nodiscard]] unsigned rays() const { return rays_; }
   [[nodiscard]] FoundLeaf found(unsigned ray) const {
-    return {ids_, pack_, candidates_[ray], all_ & ~unsigned{candidates_[ray]}};
+    return {ids_, pack_, candidates_[ray], all_ & ~unsigned{candidates_[ray]}, 0};
   }
 
   /// Since the beginning, each as often as there were rays that met its box.

@@ -20,7 +20,8 @@ struct EightAtATime {
   }
   [[gnu::target("avx2")]] static inline unsigned sift(const MeshRay& ray, float t_far, const TrianglePack& pack,
                                                       unsigned count) {
-    return eight::sift(ray, eight::reach_of(ray, t_far), pack, count);
+    unsigned certain;
+    return eight::sift<false>(ray, eight::reach_of(ray, t_far), pack, count, certain);
   }
 };
 

@@ -93,6 +93,10 @@ class Primitives {
     const auto at = static_cast<std::size_t>(id);
     return at < first_equal_.size() ? first_equal_[at] : id;
   }
+  /// Whether a primitive is surely another surface than the one that a ray departs from, -1 for none.
+  [[nodiscard]] bool stands_apart(int departed, int id) const {
+    return departed < 0 || (departed != id && !any_equal_ && triangles_.copies().empty());
+  }
   /// Computes `first_equal` in O(n log n). `boxes`: of all primitives, or of all but those of copies, which then count
   /// as equal to none; a ray that departs from what one of them equals is recognised where it hits (unless_left).
   void find_equals(const std::vector<Bounds<T>>& boxes, const Stop& stop = {});

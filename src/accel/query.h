@@ -166,6 +166,13 @@ class OcclusionQuery : public Query<T, AnyPrimitive, AnyRay> {
     if (this->cross(primitives, id, triangle...)) found_ = id;
     return found();
   }
+  /// One that is certainly hit; false if it takes its test to tell.
+  bool take(const Primitives<T>& primitives, int id) {
+    if (!primitives.stands_apart(this->ray_.departure.primitive, id)) return false;
+    ++this->counts_.primitives;
+    found_ = id;
+    return true;
+  }
   [[nodiscard]] T t_far() const { return this->t_max_; }
   [[nodiscard]] bool found() const { return found_ >= 0; }
   [[nodiscard]] bool over() const { return found(); }
@@ -193,6 +200,14 @@ class FilteredOcclusionQuery : public Query<T, AnyPrimitive, AnyRay> {
       filters_.push_back(id);
       return false;
     }
+    stopped_by_ = id;
+    return true;
+  }
+  /// One that is certainly hit; false if it takes its test to tell, or does not stop the ray.
+  bool take(const Primitives<T>& primitives, int id) {
+    if (role_of(roles_, id) != ShadowRole::stops || !primitives.stands_apart(this->ray_.departure.primitive, id))
+      return false;
+    ++this->counts_.primitives;
     stopped_by_ = id;
     return true;
   }

@@ -67,6 +67,12 @@ class Triangles {
     return {position(c[0]), position(c[1]), position(c[2])};
   }
 
+  /// The coordinates of the corners of one that is not of a copy, three each.
+  [[nodiscard]] std::array<const T*, 3> coordinates(int i) const {
+    const Mesh::Corners& c = corners(i);
+    return {&position(c[0]).x, &position(c[1]).x, &position(c[2]).x};
+  }
+
   /// Whether one has an area of exactly 0, and so no normal: it is not hit.
   [[nodiscard]] static bool degenerate(const Triangle<T>& triangle) {
     return cross(triangle.b - triangle.a, triangle.c - triangle.a) == Vec3<T>(0) && normal_of(triangle) == Vec3<T>(0);

@@ -15,8 +15,9 @@ struct FourAtATime {
   static unsigned meet(const Held& ray, const WideNode& node, BoxEntry* entries) {
     return four::meet(ray, node, entries);
   }
-  static unsigned sift(const Held& ray, const TrianglePack& pack, unsigned count) {
-    return four::sift(*ray.ray, ray.reach, pack, count);
+  template <bool wants_certain>
+  static unsigned sift(const Held& ray, const TrianglePack& pack, unsigned count, unsigned& certain) {
+    return four::sift<wants_certain>(*ray.ray, ray.reach, pack, count, certain);
   }
 };
 
@@ -38,7 +39,10 @@ struct OneByOne {
     }
     return bits;
   }
-  static unsigned sift(const Held& /*ray*/, const TrianglePack& /*pack*/, unsigned count) { return (1U << count) - 1; }
+  template <bool>
+  static unsigned sift(const Held& /*ray*/, const TrianglePack& /*pack*/, unsigned count, unsigned& /*certain*/) {
+    return (1U << count) - 1;
+  }
 };
 
 template <class Tests, bool nearest_first, bool watched, class Terms>

@@ -51,12 +51,13 @@ class BoxEntry {
   std::uint32_t bits_;
 };
 
-/// A leaf that a search has found: its primitives, bits of those that may be hit, and bits of those that are certainly
-/// not hit before t_far. The ids of a leaf without triangles may all be hit.
+/// A leaf that a search has found: its primitives, bits of those that may be hit, of those that are certainly not hit
+/// before t_far and, where any hit will do, of those that certainly are, unless the ray departs from them. The ids of a
+/// leaf without triangles may all be hit.
 struct FoundLeaf {
   const std::int32_t* ids = nullptr;
   const TrianglePack* pack = nullptr;  ///< null for a leaf without triangles
-  unsigned candidates = 0, ruled_out = 0;
+  unsigned candidates = 0, ruled_out = 0, certain = 0;
 };
 
 /// One search. Between two calls of `next`, the caller tests what was found and may shorten the ray.

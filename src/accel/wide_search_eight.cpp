@@ -18,8 +18,10 @@ struct EightAtATime {
   [[gnu::target("avx2")]] static inline unsigned meet(const Held& ray, const WideNode& node, BoxEntry* entries) {
     return eight::meet(ray, node, entries);
   }
-  [[gnu::target("avx2")]] static inline unsigned sift(const Held& ray, const TrianglePack& pack, unsigned count) {
-    return eight::sift(*ray.ray, ray.reach, pack, count);
+  template <bool wants_certain>
+  [[gnu::target("avx2")]] static inline unsigned sift(const Held& ray, const TrianglePack& pack, unsigned count,
+                                                      unsigned& certain) {
+    return eight::sift<wants_certain>(*ray.ray, ray.reach, pack, count, certain);
   }
 };
 

@@ -12,13 +12,21 @@ struct SearchLoop {
   /// `Tests` has `hold`, `meet` and `sift` for `Terms`, see accel/lane_tests.h.
   template <class Tests, bool nearest_first, bool watched, class Terms>
   [[gnu::always_inline]] static inline bool run(WideSearch<Terms>& search, typename WideSearch<Terms>::Far t_far) {
-    typename Tests::Held held;
-    Tests::hold(search.terms_, t_far, held);
     std::size_t waiting = search.waiting_;
     [[maybe_unused]] Bounds<float> box;
     std::uint64_t entered = search.nodes_;
     const WideNode* const nodes = search.tree_.nodes();
     auto* const stack = search.stack_.data();
+    if constexpr (nearest_first && !watched) {
+      // Often all that waits does so in vain.
+      while (waiting > 0 && beyond(stack[waiting - 1].entry.t(), t_far)) --waiting;
+      if (waiting == 0) {
+        search.waiting_ = 0;
+        return false;
+      }
+    }
+    typename Tests::Held held;
+    Tests::hold(search.terms_, t_far, held);
     while (waiting > 0) {
       TreeChild at = stack[--waiting].child;
       if constexpr (watched) box = search.boxes_[waiting];
@@ -35,8 +43,13 @@ struct SearchLoop {
         if constexpr (watched) tell(*search.record_, node, met);
         if (met == 0) break;
         // The nearest child is next; the others go onto the stack, nearer ones on top if hits shorten the ray.
+        const auto first = static_cast<unsigned>(std::countr_zero(met));
+        if (!watched && (met & (met - 1)) == 0) {  // a single one
+          at = node.children[first];
+          continue;
+        }
         const std::size_t before = waiting;
-        BoxEntry next = entries[std::countr_zero(met)];
+        BoxEntry next = entries[first];
         while ((met &= met - 1) != 0) {
           const BoxEntry other = entries[std::countr_zero(met)];
           const BoxEntry waits = nearest_first ? std::max(next, other) : next;
@@ -59,14 +72,15 @@ struct SearchLoop {
       const unsigned all = (1U << at.count()) - 1;
       if (at.is_pack()) {
         const TrianglePack& pack = search.tree_.pack(at.index());
-        const unsigned candidates = Tests::sift(held, pack, at.count());
-        search.found_ = {pack.ids, &pack, candidates, all & ~candidates};
+        unsigned certain = 0;
+        const unsigned candidates = Tests::template sift<!nearest_first>(held, pack, at.count(), certain);
+        search.found_ = {pack.ids, &pack, candidates, all & ~candidates, certain};
         if (!watched && candidates == 0) {
           search.passed_over_ += at.count();
           continue;
         }
       } else {
-        search.found_ = {search.tree_.listed(at.index()), nullptr, all, 0};
+        search.found_ = {search.tree_.listed(at.index()), nullptr, all, 0, 0};
       }
       search.waiting_ = waiting;
       search.nodes_ = entered;
