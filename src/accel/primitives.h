@@ -125,8 +125,9 @@ class Primitives {
       return intersect_at_rest(id, ray, t_max, explain);
     // Asked of all triangles at once: where nothing moves, asking each would cost even those that are no triangles.
     if (sheared && id >= shape_count() && !triangles_move_)
-      return unless_left(id, ray,
-                         triangles_.intersect(id - shape_count(), *sheared, t_max, departed_part(ray, id), explain));
+      return unless_left(id, ray, [&] {
+        return triangles_.intersect(id - shape_count(), *sheared, t_max, departed_part(ray, id), explain);
+      });
     return intersect_any(id, ray, t_max, explain);
   }
   /// The same with a triangle that neither moves nor is degenerate, given its coordinates (intersect_corners).
@@ -135,15 +136,18 @@ class Primitives {
                                                                   const ShearedRay<T>& sheared, const Ray<T>& ray,
                                                                   T t_max, Explain&& explain) const {
     const int departed = departed_part(ray, id);
-    return unless_left(id, ray, intersect_corners(coordinate, sheared, t_max, departed, explain));
+    return unless_left(id, ray, [&] { return intersect_corners<true>(coordinate, sheared, t_max, departed, explain); });
   }
   /// The same with the triangle of a copy, given as it is placed.
   template <class Explain>
   [[nodiscard]] std::optional<Intersection<T>> intersect_copied(int id, const Triangle<T>& placed,
                                                                 const ShearedRay<T>& sheared, const Ray<T>& ray,
                                                                 T t_max, Explain&& explain) const {
-    const auto found = raywalk::intersect(placed, sheared, t_max, departed_part(ray, id), explain);
-    return found && Triangles<T>::degenerate(placed) ? std::nullopt : unless_left(id, ray, found);
+    return unless_left(id, ray, [&] {
+      auto found = raywalk::intersect(placed, sheared, t_max, departed_part(ray, id), explain);
+      if (found && Triangles<T>::degenerate(placed)) found.reset();
+      return found;
+    });
   }
   /// As textbooks give it (shape/naive.h).
   template <class Explain = NoExplanation>
@@ -290,7 +294,8 @@ class Primitives {
                                                                                 Explain&& explain) const {
     const int departed = departed_part(ray, id);
     if (id >= shape_count())
-      return unless_left(id, ray, triangles_.intersect(id - shape_count(), ray, t_max, departed, explain));
+      return unless_left(id, ray,
+                         [&] { return triangles_.intersect(id - shape_count(), ray, t_max, departed, explain); });
     const ObjectTransform<T>* transform = transform_of(id);
     return transform ? raywalk::intersect(own(id), into_object_space(*transform, ray), t_max, departed, explain)
                      : raywalk::intersect(own(id), ray, t_max, departed, explain);
@@ -301,14 +306,17 @@ class Primitives {
     return transform ? raywalk::surface_at(own(id), *transform, ray, intersection)
                      : raywalk::surface_at(own(id), ray, intersection);
   }
-  /// An intersection with triangle `id`, unless it is only at the shared edge or corner: when a ray departs from a
-  /// neighbour, on the same side of both, its origin may be rounded to the wrong side of this one. Nor if one of a copy
-  /// is the surface that the ray departs from.
-  [[nodiscard]] std::optional<Intersection<T>> unless_left(int id, const Ray<T>& ray,
-                                                           const std::optional<Intersection<T>>& intersection) const {
+  /// The intersection with triangle `id` that `find` finds, unless it is only at the shared edge or corner: when a ray
+  /// departs from a neighbour, on the same side of both, its origin may be rounded to the wrong side of this one. Nor
+  /// if one of a copy is the surface that the ray departs from. (It is never copied: what is stored in pieces and
+  /// loaded as a whole stalls the processor.)
+  template <class Find>
+  [[nodiscard, gnu::always_inline]] std::optional<Intersection<T>> unless_left(int id, const Ray<T>& ray,
+                                                                               const Find& find) const {
+    auto intersection = find();
     const int from = ray.departure.primitive;
-    if (!intersection || from < shape_count() || !leaves_at_once(from, id, ray, intersection->t)) return intersection;
-    return std::nullopt;
+    if (intersection && from >= shape_count() && leaves_at_once(from, id, ray, intersection->t)) intersection.reset();
+    return intersection;
   }
   [[nodiscard]] bool leaves_at_once(int from, int id, const Ray<T>& ray, T t) const {
     const int left = from - shape_count(), met = id - shape_count();

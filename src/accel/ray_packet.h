@@ -52,10 +52,13 @@ struct RayPacket {
 
 inline bool RayPacket::alike(const MeshRay& a, const MeshRay& b) {
   if (!a.held || !b.held) return false;
-  bool all = true;
-  for (int axis = 0; axis < 3; ++axis)
-    all &= a.near[axis] == b.near[axis] && std::isfinite(a.inverse[axis]) && std::isfinite(b.inverse[axis]);
-  return all;
+  LaneMask near_a, near_b;
+  Lanes inverse_a, inverse_b;
+  std::memcpy(&near_a, a.near, sizeof near_a), std::memcpy(&near_b, b.near, sizeof near_b);
+  std::memcpy(&inverse_a, a.inverse, sizeof inverse_a), std::memcpy(&inverse_b, b.inverse, sizeof inverse_b);
+  const Lanes endless = all_lanes(infinity<float>);
+  constexpr unsigned all = 7;
+  return (bits_of((near_a == near_b) & (absolute(inverse_a) < endless) & (absolute(inverse_b) < endless)) & all) == all;
 }
 
 inline bool RayPacket::coherent(const MeshRay& a, const MeshRay& b, float near) {

@@ -83,9 +83,10 @@ class Triangles {
   [[nodiscard]] std::optional<Intersection<T>> intersect(int i, const AnyRay& ray, T t_max, int departed_part,
                                                          Explain&& explain) const {
     const Triangle<T> triangle = (*this)[i];
-    const auto intersection = raywalk::intersect(triangle, ray, t_max, departed_part, explain);
+    auto intersection = raywalk::intersect(triangle, ray, t_max, departed_part, explain);
     // Checked last, only for the few that are hit.
-    return intersection && degenerate(triangle) ? std::nullopt : intersection;
+    if (intersection && degenerate(triangle)) intersection.reset();
+    return intersection;
   }
 
   /// Whether a ray from triangle `from` hits its neighbour `to` at a `t` that is 0 up to rounding, although it stays on

@@ -45,8 +45,9 @@ template <class T, class Explain = NoExplanation>
 [[nodiscard]] std::optional<Intersection<T>> intersect(const Triangle<T>& triangle, const ShearedRay<T>& ray, T t_max,
                                                        int departed_part = no_part, Explain&& explain = {});
 
-/// The same for a triangle that is stored otherwise: `coordinate(corner, axis)`.
-template <class T, class Coordinate, class Explain = NoExplanation>
+/// The same for a triangle that is stored otherwise: `coordinate(corner, axis)`. `sifted`: most that are missed have
+/// been left out already.
+template <bool sifted = false, class T, class Coordinate, class Explain = NoExplanation>
 [[nodiscard]] std::optional<Intersection<T>> intersect_corners(const Coordinate& coordinate, const ShearedRay<T>& ray,
                                                                T t_max, int departed_part, Explain&& explain = {});
 
@@ -187,7 +188,7 @@ ShearedRay<T>::ShearedRay(const Ray<T>& ray) : origin(wide(ray.origin)), directi
   inverse = 1 / slope[at(kz)], x = slope[at(kx)] * inverse, y = slope[at(ky)] * inverse;
 }
 
-template <class T, class Coordinate, class Explain>
+template <bool sifted, class T, class Coordinate, class Explain>
 std::optional<Intersection<T>> intersect_corners(const Coordinate& coordinate, const ShearedRay<T>& ray, T t_max,
                                                  int departed_part, Explain&& explain) {
   constexpr bool explained = std::decay_t<Explain>::wanted;
@@ -205,7 +206,7 @@ std::optional<Intersection<T>> intersect_corners(const Coordinate& coordinate, c
       std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y), std::abs(c.x), std::abs(c.y)});
   const double depth = std::max({std::abs(a.z), std::abs(b.z), std::abs(c.z)});
   const double corner_error = 8 * detail::half_ulp * (across + 2 * depth), error = 4 * across * corner_error;
-  if (!explained) {
+  if constexpr (!explained && !sifted) {
     // Entirely on one side of the ray, or behind it: rejected without a product.
     const auto beside = [&](double p, double q, double r) {
       return std::min({p, q, r}) > corner_error || std::max({p, q, r}) < -corner_error;
@@ -214,12 +215,11 @@ std::optional<Intersection<T>> intersect_corners(const Coordinate& coordinate, c
     if (behind || beside(a.x, b.x, c.x) || beside(a.y, b.y, c.y)) return std::nullopt;
   }
   const double u = c.x * b.y - c.y * b.x, v = a.x * c.y - a.y * c.x, w = b.x * a.y - b.y * a.x;
-  const bool left = u > error || v > error || w > error, right = u < -error || v < -error || w < -error;
-  const double determinant = u + v + w, scaled = (u * a.z + v * b.z + w * c.z) * ray.inverse;
-  if constexpr (explained) explain.plane(scaled, determinant);
-  if (departed_part != no_part || (left && right)) return std::nullopt;
-  const bool sure = std::min({std::abs(u), std::abs(v), std::abs(w)}) > error &&
-                    std::abs(u * a.z + v * b.z + w * c.z) > 4 * error * depth;
+  const double least = std::min({u, v, w}), most = std::max({u, v, w});
+  const double determinant = u + v + w, weighted = u * a.z + v * b.z + w * c.z;
+  if constexpr (explained) explain.plane(weighted * ray.inverse, determinant);
+  if (departed_part != no_part || (most > error && least < -error)) return std::nullopt;
+  const bool sure = (least > error || most < -error) && std::abs(weighted) > 4 * error * depth;
   if (!sure) {
     note_exact(explain);
     const auto corner = [&](int i) { return Vec3<T>(coordinate(i, 0), coordinate(i, 1), coordinate(i, 2)); };

@@ -63,6 +63,32 @@ TEMPLATE_TEST_CASE("every width and quality answers as brute force does, and wid
   CHECK(found.exact > rounds(8));
 }
 
+TEMPLATE_TEST_CASE("what certainly blocks a shadow ray is never what it departs from, nor its neighbour", "[accel]",
+                   float, double) {
+  using T = TestType;
+  const double scale = GENERATE(1.0, 1e-6, 1e6), shift = GENERATE(0.0, 100.0);
+  CAPTURE(scale, shift);
+  Primitives<T> all;
+  all.add(icosphere(3), translation(scale * shift * Vec3d(1, -2, 0.5)) * scaling(Vec3d(scale)), false);
+  const Accelerator<T> list(all, AcceleratorKind::none), tree(all, AcceleratorKind::bvh);
+  Numbers next(31);
+  std::vector<Ray<T>> rays;
+  for (int i = 0; i < rounds(3000); ++i) {
+    const int from = next.integer(0, all.size() - 1), to = i % 4 ? next.integer(0, all.size() - 1) : from;
+    const Triangle<T> left = all.triangles()[from], met = all.triangles()[to];
+    // From a corner, an edge or within, over the plane of the triangle or into the ball.
+    const T a = i % 3 ? static_cast<T>(next.real(0, 1)) : T(0), b = i % 3 == 2 ? static_cast<T>(next.real(0, 1)) : T(0);
+    const Vec3<T> eye = left.a + a * (left.b - left.a) + b * (1 - a) * (left.c - left.a);
+    Vec3<T> way = to == from ? left.b - left.a : met.a - eye;
+    if (i % 2) way += static_cast<T>(next.real(-1e-3, 1e-3) * scale) * next.unit<T>();
+    if (way == Vec3<T>(0)) continue;
+    rays.push_back({eye, way, {from, 0}});
+  }
+  const Comparison found = compare(list, tree, rays, {}, {});
+  CHECK(found.differing == 0);
+  CHECK(static_cast<int>(found.hit_ids.size()) > rounds(1000));
+}
+
 TEMPLATE_TEST_CASE("packs rule out most triangles, and count them", "[accel]", float, double) {
   using T = TestType;
   Primitives<T> all;

@@ -84,14 +84,14 @@ mutant prism_parity_forgotten Prism shape/prism.h 'crossings.inside = !crossings
 
 # --- Triangles --------------------------------------------------------------------------------------------------------
 mutant triangle_signs_without_bound Triangle shape/triangle.h \
-  'std::min({std::abs(u), std::abs(v), std::abs(w)}) > error' 'true'
+  '(least > error || most < -error) &&' 'true &&'
 mutant triangle_weights_believed Triangle shape/triangle.h '(off.z - slope) * ray.inverse' 'off.z * ray.inverse'
 mutant triangle_t_without_bound Triangle shape/triangle.h '> 4 * error * depth' '>= 0'
 mutant triangle_edges_for_both mesh shape/triangle.h 'if (side != 0) return side;' 'return side >= 0 ? 1 : -1;'
 mutant triangle_edges_for_none mesh shape/triangle.h 'if (side != 0) return side;' 'return side;'
 mutant triangle_one_edge_turned mesh shape/triangle.h 'exact_side(o, d, c, a) != side' 'exact_side(o, d, a, c) != side'
-mutant triangle_absolute_threshold mesh shape/triangle.h '(left && right)) return' \
-  '(left && right) || std::abs(determinant) < 1e-6) return'
+mutant triangle_absolute_threshold mesh shape/triangle.h '(most > error && least < -error)) return' \
+  '(most > error && least < -error) || std::abs(determinant) < 1e-6) return'
 mutant triangle_bound_too_small Triangle shape/triangle.h 'corner_error = 8 * detail::half_ulp' \
   'corner_error = 0.001 * detail::half_ulp'
 mutant triangle_tie_by_the_edge_alone mesh shape/triangle.h 'x != 0) return x;' 'x != 0) return 1;'
@@ -110,8 +110,8 @@ mutant bvh_too_early accel accel/bvh.h 'beyond(stack[count].in, query.t_far())' 
 mutant mesh_bvh_too_early accel accel/wide_search_loop.h 'static_cast<Far>(in * (1 - 8 ' 'static_cast<Far>(2 * in * (1 - 8 '
 mutant packet_enters_with_the_last packets accel/ray_packet.h 'enter[axis] = negative ? in.least : in.greatest' \
   'enter[axis] = negative ? in.greatest : in.least'
-mutant packet_of_mixed_signs packets accel/ray_packet.h 'all &= a.near[axis] == b.near[axis] &&' 'all &='
-mutant packet_slopes_of_zero packets accel/ray_packet.h 'std::isfinite(a.inverse[axis]) && std::isfinite(b.inverse[axis])' 'true'
+mutant packet_of_mixed_signs packets accel/ray_packet.h '(near_a == near_b) & ' ''
+mutant packet_slopes_of_zero packets accel/ray_packet.h ' & (absolute(inverse_a) < endless) & (absolute(inverse_b) < endless)' ''
 mutant packet_shortens_all packets accel/packet_search_loop.h '*std::max_element(packet.t_far' '*std::min_element(packet.t_far'
 mutant packet_inverse_of_one_ray packets accel/packet_lane_tests.h 'min(max(far * least, far * most), leaves)' 'min(min(far * least, far * most), leaves)'
 mutant lanes_shrunk accel accel/float_slabs.h '-rounded_up(-static_cast<double>(box.min[axis]))' \
@@ -126,6 +126,10 @@ mutant triangles_ruled_out_without_error accel accel/lane_tests.h 'all_of(4) * a
 mutant triangles_beyond_too_early accel accel/lane_tests.h 'nearest - (farthest - nearest) > ' 'nearest + nearest > '
 mutant triangles_behind_too_early accel accel/lane_tests.h '(at < -slack)' '(at < slack)'
 mutant triangles_beyond_without_slack accel accel/lane_tests.h 'at - slack > reach * wide' 'at + slack > reach * area'
+mutant certain_at_an_edge widths accel/lane_tests.h '(min(u, min(v, w)) > error)' '(min(u, min(v, w)) > -error)'
+mutant certain_beyond_the_light widths accel/lane_tests.h 'at + slack < short_of_it * narrow' 'at - slack < all_of(held_reach) * wide'
+mutant certain_of_the_departed widths accel/primitives.h '(departed != id && !any_equal_' '(!any_equal_'
+mutant certain_of_its_neighbour widths accel/lane_tests.h '(at - slack > all_of(128 * half_ulp)' '(at + slack > all_of(-128 * half_ulp)'
 mutant split_triangles_cross_elsewhere splits accel/spatial_split.cpp 'a + (plane - a[axis]) /' 'a + 0.9 * (plane - a[axis]) /'
 mutant split_triangles_on_one_side_only splits accel/spatial_split.cpp 'sides.right_items.push_back(each.right);' ''
 mutant split_triangles_beyond_the_plane splits accel/spatial_split.cpp '-infinity<float>, plane.at);' '-infinity<float>, plane.at - 0.01F);'
@@ -139,7 +143,7 @@ mutant copies_grain_forgotten copies accel/mesh_ray.h 'grain += most / (4 * half
 mutant copies_turned_rays_trusted copies accel/mesh_ray.h '!(turned < half_ulp)' 'false'
 mutant copies_mirrored_inside_out copies accel/triangles.h 'return {a, mirrored ? c : b, mirrored ? b : c};' 'return {a, b, c};'
 mutant copies_hit_again_at_once copies accel/primitives.h 'triangles_.equal(left, met)' 'false'
-mutant copies_degenerate_hit copies accel/primitives.h 'found && Triangles<T>::degenerate(placed) ? std::nullopt' 'false ? std::nullopt'
+mutant copies_degenerate_hit copies accel/primitives.h 'if (found && Triangles<T>::degenerate(placed)) found.reset();' ''
 mutant copies_numbered_from_the_first copies accel/mesh_copies.h 'primitives.shape_count() + copy.first' 'primitives.shape_count()'
 mutant grid_leaves_by_the_farthest accel accel/grid.h 'leave[0] <= leave[1] ? (leave[0] <= leave[2]' \
   'leave[0] >= leave[1] ? (leave[0] <= leave[2]'

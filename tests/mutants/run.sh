@@ -47,6 +47,9 @@ verdict() {
   [[ $2 == copies ]] && program=("-I$root/tests" "$root/tests/accel/copies_test.cpp" \
     "$4"/src/accel/{accelerator,accelerator_naive,binary_tree,mesh_copies,packet_search,packet_search_eight,reinsertion,search_record,spatial_split,structures,watched,wide_search,wide_search_eight,wide_tree,width}.cpp "$4/src/shape/mesh.cpp") \
     libraries=("${catch2[@]}")
+  [[ $2 == widths ]] && program=("-I$root/tests" "$root/tests/accel/width_test.cpp" \
+    "$4"/src/accel/{accelerator,accelerator_float,binary_tree,mesh_copies,packet_search,packet_search_eight,reinsertion,search_record,spatial_split,structures,wide_search,wide_search_eight,wide_tree,width}.cpp "$4/src/shape/mesh.cpp") \
+    libraries=("${catch2[@]}")
   [[ $2 == packets ]] && program=("-I$root/tests" "$root/tests/accel/packet_test.cpp" \
     "$4"/src/accel/{accelerator,binary_tree,library,mesh_copies,packet_search,packet_search_eight,reinsertion,search_record,spatial_split,structures,wide_search,wide_search_eight,wide_tree,width}.cpp "$4/src/shape/mesh.cpp") \
     libraries=("${catch2[@]}")
