@@ -47,6 +47,11 @@ bool Accelerator<T>::within(const Shaft& shaft, Departure departure, std::vector
   return true;
 }
 
+template <class T>
+bool Accelerator<T>::knows_packets() const {
+  return std::holds_alternative<MeshBvh<T>>(structure_->any);
+}
+
 /// `tell(i, query)`: when the search for ray i is over.
 template <class T>
 template <class Query, class Tell, class... Accept>

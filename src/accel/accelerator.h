@@ -43,6 +43,9 @@ class Accelerator {
   /// StopsShadows or OfBodies.
   template <class AnyRay = Ray<T>, class Accept = AnyPrimitive>
   [[nodiscard]] std::optional<Hit<T>> closest(const AnyRay& ray, T t_max, TestCounts& counts, Accept accept = {}) const;
+  /// The same, of all and with any t, for a ray that is likely to hit the primitive `likely` first: once that is
+  /// tested, what lies beyond it is not searched.
+  [[nodiscard]] std::optional<Hit<T>> closest_likely(const Ray<T>& ray, int likely, TestCounts& counts) const;
 
   /// Whether any primitive is hit in (0, t_max).
   template <class AnyRay = Ray<T>>
@@ -55,6 +58,8 @@ class Accelerator {
                TestCounts& counts) const;
   void occluded(std::span<const Ray<T>> rays, std::span<const T> t_max, std::span<bool> occluded,
                 TestCounts& counts) const;
+  /// Whether any ever are.
+  [[nodiscard]] bool knows_packets() const;
 
   /// The same for the primitives whose role is to stop shadow rays. If none is hit, `filters` receives the ids,
   /// ascending, of the filtering primitives that are hit. `roles`: by primitive.

@@ -59,6 +59,14 @@ std::optional<Hit<T>> Accelerator<T>::closest(const AnyRay& ray, T t_max, TestCo
 }
 
 template <class T>
+std::optional<Hit<T>> Accelerator<T>::closest_likely(const Ray<T>& ray, int likely, TestCounts& counts) const {
+  ClosestQuery<T, AnyPrimitive, Ray<T>> query(primitives_, ray, infinity<T>, counts, {});
+  static_cast<void>(query.test(primitives_, likely));
+  search(ray, query);
+  return query.nearest();
+}
+
+template <class T>
 template <class AnyRay, class Query>
 inline bool Accelerator<T>::found(Query& query, const AnyRay& ray, const ShadowHints& hints) const {
   const auto seek = [&] {

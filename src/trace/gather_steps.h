@@ -3,6 +3,7 @@
 
 #include "trace/flat_ray.h"
 #include "trace/photon_steps.h"
+#include "trace/shadow_transmittance.h"
 
 namespace raywalk {
 
@@ -259,7 +260,7 @@ auto PhotonTracer<Policy>::find_intersection(const EyeRay& ray, const LightSampl
   if (light_sample.light) {
     visible = !world_.accelerator.occluded(light_sample.ray, light_sample.light->t_far(), statistics_.tests);
   } else {
-    blocker = world_.accelerator.closest(light_sample.ray, infinity<T>, statistics_.tests);
+    blocker = closest_on_the_way(world_, light_sample.ray, light_sample.target.primitive, statistics_.tests);
     visible = light_sample.endless ? !blocker
                                    : blocker && Departure{blocker->primitive, blocker->part} == light_sample.target;
   }

@@ -183,27 +183,31 @@ template <class Policy>
 auto PathTracer<Policy>::find_intersection(const PathRay& ray, const LightSample& light_sample) -> Rgb<T> {
   Rgb<T> visible{0};
   Nearest blocker;
+  const bool by_media = media && world_.effects.used(Effect::scattering);
   if (light_sample.light) {
     const T t_max = light_sample.light->t_far();
     visible =
         shadow_transmittance(world_, light_sample.ray, t_max, statistics_.tests, filters_met_, {}, light_sample.medium)
             .value_or(Rgb<T>(0));
+  } else if (Policy::effects.sky && is_sky(light_sample) && !by_media) {
+    if (!world_.accelerator.occluded(light_sample.ray, infinity<T>, statistics_.tests))
+      visible = transmittance_to_nothing<T>(light_sample.medium);
   } else {
     Rgb<T> through{1};
-    const bool by_media = media && world_.effects.used(Effect::scattering);
     blocker = by_media ? closest_through_media(light_sample, through)
-                       : world_.accelerator.closest(light_sample.ray, infinity<T>, statistics_.tests);
+                       : closest_on_the_way(world_, light_sample.ray, light_sample.target.primitive, statistics_.tests);
     if (blocker && Departure{blocker->primitive, blocker->part} == light_sample.target)
       visible = by_media ? through : emitter_transmittance(light_sample, *blocker);
-    if constexpr (Policy::effects.sky)
-      if (!blocker && is_sky(light_sample))
-        visible = by_media ? through : transmittance_to_nothing<T>(light_sample.medium);
+    if (Policy::effects.sky && !blocker && is_sky(light_sample)) visible = through;
   }
   const Ending ending = is_black(visible) ? Ending::blocked : Ending::reached_light;
   ++statistics_.ends(ending);
   note(Line::path_find_intersection, ray.length, [&] {
     if (light_sample.light && ending == Ending::blocked)
       blocker = first_blocker(world_, light_sample.ray, light_sample.light->t_far());
+    TestCounts uncounted;
+    if (is_sky(light_sample) && !by_media && ending == Ending::blocked)
+      blocker = world_.accelerator.closest(light_sample.ray, infinity<T>, uncounted);
     Found found = blocker ? detail::describe(light_sample.number, ending, world_, light_sample.ray, *blocker)
                   : light_sample.light ? Found{light_sample.number, ending}
                                        : detail::describe_missed(light_sample.number, ending, world_, light_sample.ray);

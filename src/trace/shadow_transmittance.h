@@ -206,4 +206,14 @@ template <class T, class AnyRay>
   return world.accelerator.closest(shadow, t_max, uncounted, StopsShadows{world.shadow_roles});
 }
 
+/// The closest hit of a ray to primitive `target`, which it mostly reaches; -1 for none. (A naive ray may hit what its
+/// search misses.)
+template <class T, class AnyRay>
+[[nodiscard]] std::optional<Hit<T>> closest_on_the_way(const World<T>& world, const AnyRay& ray, int target,
+                                                       TestCounts& counts) {
+  if constexpr (std::is_same_v<AnyRay, Ray<T>>)
+    if (target >= 0) return world.accelerator.closest_likely(ray, target, counts);
+  return world.accelerator.closest(ray, infinity<T>, counts);
+}
+
 }  // namespace raywalk

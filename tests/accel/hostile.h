@@ -76,6 +76,11 @@ Comparison compare(const Accelerator<T>& list, const Accelerator<T>& tree, const
       TestCounts counts;
       all.differing += !same(expected, tree.closest(ray, infinity<T>, counts));
       all.differing += tree.occluded(ray, infinity<T>, counts) != expected.has_value();
+      // Whatever is likely, and tested first: what is hit, or something else.
+      for (const int likely : {expected ? expected->primitive : 0, tree.primitives().size() - 1}) {
+        TestCounts apart;
+        all.differing += !same(expected, tree.closest_likely(ray, likely, apart));
+      }
       // A reach that ends exactly at the hit must not report it; one just beyond must.
       if (expected) {
         all.differing += tree.occluded(ray, expected->t, counts) != list.occluded(ray, expected->t, brute);
