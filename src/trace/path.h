@@ -18,6 +18,7 @@
 #include "trace/medium_walk.h"
 #include "trace/pattern_filter.h"
 #include "trace/policy.h"
+#include "trace/primary_rays.h"
 #include "trace/ray_generator.h"
 #include "trace/statistics.h"
 #include "trace/surface_vertex.h"
@@ -62,8 +63,14 @@ class PathTracer {
         camera_(camera),
         observer_(observer),
         stop_(stop),
+        primary_rays_(world, camera),
         nested_(world),
         differential_(world, camera) {}
+
+  /// As the tracer's.
+  void look_ahead(const PixelBlock& pixels) {
+    if (!settings_.flat) primary_rays_.look_ahead(pixels);
+  }
 
   /// PATH TRACING. `pixels` yields Pixel; `put(pixel, shade)` receives each final shade.
   template <class Pixels, class Put>
@@ -256,7 +263,7 @@ class PathTracer {
   Observer& observer_;
   Stop stop_;
   Statistics statistics_;
-  typename RayGenerator<T>::PixelDraws pixel_draws_;
+  PrimaryRays<T> primary_rays_;
   std::vector<int> filters_met_;  ///< kept so that no shadow ray allocates
   RandomKey key_;                 ///< of the pixel's current sample
   int rays_formed_ = 0;           ///< numbers the rays of a recording

@@ -47,7 +47,7 @@ void PathTracer<Policy>::begin(const Pixel& pixel) {
 
 template <class Policy>
 auto PathTracer<Policy>::form_primary_ray(const Pixel& pixel) -> PathRay {
-  raywalk::Ray<T> from_eye = camera_.primary_ray(pixel, pixel_draws_, statistics_);
+  raywalk::Ray<T> from_eye = primary_rays_.form(pixel, statistics_);
   if constexpr (media) {
     if (settings_.flat) from_eye = flattened(from_eye);
   }
@@ -83,7 +83,9 @@ auto PathTracer<Policy>::find_closest(PathRay& ray, [[maybe_unused]] Free& free)
       return at_exit;
     }
   }
-  Arrival arrival{world_.accelerator.closest(ray.ray, infinity<T>, statistics_.tests)};
+  Arrival arrival{ray.length == 1 && primary_rays_.searched()
+                      ? primary_rays_.nearest()
+                      : world_.accelerator.closest(ray.ray, infinity<T>, statistics_.tests)};
   if constexpr (media) {
     if (scatters_before(ray, free, arrival)) {
       arrival.scattered = true;

@@ -18,6 +18,7 @@ Statistics run_procedure(const World<T>& world, const RayGenerator<T>& camera, c
                          const PutPixel<T>& put, Watcher& observer, const Own&... own) {
   const auto run_with = [&]<class Chosen>() {
     Procedure<Chosen> procedure(world, own..., camera, observer, block.stop);
+    if constexpr (std::is_same_v<typename Chosen::Ray, Ray<T>>) procedure.look_ahead(block);
     procedure.main_algorithm(block, put);
     return procedure.statistics();
   };

@@ -11,6 +11,7 @@
 #include "trace/optics.h"
 #include "trace/pattern_filter.h"
 #include "trace/policy.h"
+#include "trace/primary_rays.h"
 #include "trace/radiosity_pass.h"
 #include "trace/ray_generator.h"
 #include "trace/statistics.h"
@@ -38,10 +39,14 @@ class Tracer {
         camera_(camera),
         observer_(observer),
         stop_(stop),
+        primary_rays_(world, camera),
         last_blockers_(world.lights.size(), -1),
         nested_(world) {
     if constexpr (Policy::effects.bounced) bounced_.light = bounced;
   }
+
+  /// Allows primary rays of these pixels to be searched before their turn, several at once.
+  void look_ahead(const PixelBlock& pixels) { primary_rays_.look_ahead(pixels); }
 
   /// MAIN ALGORITHM. `pixels` yields Pixel; `put(pixel, shade)` receives each final shade.
   template <class Pixels, class Put>
@@ -270,7 +275,7 @@ class Tracer {
   Observer& observer_;
   Stop stop_;
   Statistics statistics_;
-  typename RayGenerator<T>::PixelDraws pixel_draws_;
+  PrimaryRays<T> primary_rays_;
   [[no_unique_address]] Only<draws, RandomKey> key_{};  ///< of the current sample
   [[no_unique_address]] Only<Policy::effects.bounced, Bounced> bounced_{};
   int rays_formed_ = 0;  ///< numbers the rays of a recording

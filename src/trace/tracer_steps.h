@@ -73,8 +73,7 @@ void Tracer<Policy>::begin(const Pixel& pixel) {
 
 template <class Policy>
 inline auto Tracer<Policy>::form_primary_ray(const Pixel& pixel) -> TreeRay {
-  TreeRay primary{Ray{camera_.primary_ray(pixel, pixel_draws_, statistics_)}, RayKind::primary, Rgb<T>(1),
-                  rays_formed_++};
+  TreeRay primary{Ray{primary_rays_.form(pixel, statistics_)}, RayKind::primary, Rgb<T>(1), rays_formed_++};
   if constexpr (Policy::effects.nesting) {
     if (nested_.any_around_eye()) primary.in.medium = nested_.at_eye(primary.ray, statistics_.tests);
   }
@@ -91,7 +90,9 @@ auto Tracer<Policy>::find_closest(Line line, int depth, const TreeRay& ray) -> N
   Faultable<Ray> sought = ray.ray;
   if constexpr (Policy::faulty)
     sought.near_root_only = world_.fault == Fault::second_root_dropped && line == Line::find_refract_intersect;
-  const Nearest nearest = world_.accelerator.closest(sought, infinity<T>, statistics_.tests);
+  const Nearest nearest = line == Line::find_closest_intersection && primary_rays_.searched()
+                              ? primary_rays_.nearest()
+                              : world_.accelerator.closest(sought, infinity<T>, statistics_.tests);
   ++statistics_.ends(nearest ? Ending::hit : Ending::missed);
   note(line, depth, [&] {
     return nearest ? detail::describe(ray.number, Ending::hit, world_, ray.ray, *nearest)
