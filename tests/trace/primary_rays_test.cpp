@@ -20,13 +20,13 @@ Scene ball_scene(Integrator integrator, double aperture) {
   scene.camera.aperture = aperture;
   MeshShape mesh;
   mesh.mesh = std::make_shared<Mesh>(icosphere(3));
-  scene.objects.push_back({.name = "Ball", .shape = mesh});
+  scene.objects.push_back({"Ball", mesh, {}});
   scene.objects.back().material.diffuse = Rgbd(0.6);
-  scene.objects.push_back({.name = "Mirror", .shape = Sphere<double>{{0.5, -1, 0}, 0.4}});
+  scene.objects.push_back({"Mirror", Sphere<double>{{0.5, -1, 0}, 0.4}, {}});
   scene.objects.back().material.reflection = Rgbd(0.8);
-  scene.objects.push_back({.name = "Panel", .shape = Box<double>{{-1, -1, 2}, {0, 0, 2.1}}});
+  scene.objects.push_back({"Panel", Box<double>{{-1, -1, 2}, {0, 0, 2.1}}, {}});
   scene.objects.back().material.emission = Rgbd(3.0);
-  scene.lights.push_back({"Lamp", Rgbd(0.5), PointLight{{2, -3, 3}}});
+  scene.lights.push_back({"Lamp", Rgbd(0.5), PointLight{{2, -3, 3}, {}}});
   scene.sky = Sky{GradientSky{}};
   scene.render.integrator = integrator;
   return scene;
