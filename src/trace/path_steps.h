@@ -83,9 +83,8 @@ auto PathTracer<Policy>::find_closest(PathRay& ray, [[maybe_unused]] Free& free)
       return at_exit;
     }
   }
-  Arrival arrival{ray.length == 1 && primary_rays_.searched()
-                      ? primary_rays_.nearest()
-                      : world_.accelerator.closest(ray.ray, infinity<T>, statistics_.tests)};
+  Arrival arrival{primary_rays_.searched() ? primary_rays_.take()
+                                           : world_.accelerator.closest(ray.ray, infinity<T>, statistics_.tests)};
   if constexpr (media) {
     if (scatters_before(ray, free, arrival)) {
       arrival.scattered = true;

@@ -4,7 +4,7 @@
 
 #include <optional>
 #include <span>
-#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace raywalk {
@@ -27,11 +27,12 @@ class PrimaryRays {
   [[nodiscard]] Ray<T> form(const Pixel& pixel, Statistics& statistics) {
     if (!together_) return camera_.primary_ray(pixel, draws_, statistics);
     if (++next_ >= rays_.size()) search_ahead(pixel, statistics);
+    found_ = &hits_[next_];
     return rays_[next_];
   }
-  /// Whether `nearest` knows what the ray formed last hits, and has counted its search.
-  [[nodiscard]] bool searched() const { return together_; }
-  [[nodiscard]] const std::optional<Hit<T>>& nearest() const { return hits_[next_]; }
+  /// Whether it is known what the ray formed last hits, and its search is counted; and that, once.
+  [[nodiscard]] bool searched() const { return found_ != nullptr; }
+  [[nodiscard]] const std::optional<Hit<T>>& take() { return *std::exchange(found_, nullptr); }
 
  private:
   [[gnu::noinline]] void search_ahead(const Pixel& pixel, Statistics& statistics) {
@@ -48,6 +49,7 @@ class PrimaryRays {
   bool together_ = false;
   const PixelBlock* block_ = nullptr;
   typename RayGenerator<T>::PixelDraws draws_;
+  const std::optional<Hit<T>>* found_ = nullptr;
   std::size_t next_ = 0;
   std::vector<Ray<T>> rays_;  ///< of the next pixels
   std::vector<std::optional<Hit<T>>> hits_;

@@ -90,9 +90,8 @@ auto Tracer<Policy>::find_closest(Line line, int depth, const TreeRay& ray) -> N
   Faultable<Ray> sought = ray.ray;
   if constexpr (Policy::faulty)
     sought.near_root_only = world_.fault == Fault::second_root_dropped && line == Line::find_refract_intersect;
-  const Nearest nearest = line == Line::find_closest_intersection && primary_rays_.searched()
-                              ? primary_rays_.nearest()
-                              : world_.accelerator.closest(sought, infinity<T>, statistics_.tests);
+  const Nearest nearest = primary_rays_.searched() ? primary_rays_.take()
+                                                   : world_.accelerator.closest(sought, infinity<T>, statistics_.tests);
   ++statistics_.ends(nearest ? Ending::hit : Ending::missed);
   note(line, depth, [&] {
     return nearest ? detail::describe(ray.number, Ending::hit, world_, ray.ray, *nearest)
