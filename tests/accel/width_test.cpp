@@ -83,6 +83,9 @@ TEMPLATE_TEST_CASE("what certainly blocks a shadow ray is never what it departs 
     if (i % 2) way += static_cast<T>(next.real(-1e-3, 1e-3) * scale) * next.unit<T>();
     if (way == Vec3<T>(0)) continue;
     rays.push_back({eye, way, {from, 0}});
+    // Said to depart from what it is aimed at from afar.
+    const Vec3<T> afar = eye + static_cast<T>(scale) * next.unit<T>();
+    if (i % 5 == 0) rays.push_back({afar, (left.a + left.b + left.c) / T(3) - afar, {from, 0}});
   }
   const Comparison found = compare(list, tree, rays, {}, {});
   CHECK(found.differing == 0);
