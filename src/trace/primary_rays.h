@@ -17,15 +17,16 @@ class PrimaryRays {
  public:
   PrimaryRays(const World<T>& world, const RayGenerator<T>& camera) : world_(world), camera_(camera) {}
 
-  /// Allows it for the pixels of a block, which outlives this, and all of which come in turn.
+  /// Allows it for the pixels of a block, which outlives this, and all of which come in turn; not where the program is
+  /// to be small.
   void look_ahead(const PixelBlock& block) {
     block_ = &block;
-    together_ = world_.accelerator.knows_packets();
+    if constexpr (!few_kernels) together_ = world_.accelerator.knows_packets();
   }
 
   /// Of the next pixel.
   [[nodiscard]] Ray<T> form(const Pixel& pixel, Statistics& statistics) {
-    if (!together_) return camera_.primary_ray(pixel, draws_, statistics);
+    if (few_kernels || !together_) return camera_.primary_ray(pixel, draws_, statistics);
     if (++next_ >= rays_.size()) search_ahead(pixel, statistics);
     found_ = &hits_[next_];
     return rays_[next_];
