@@ -2,6 +2,7 @@
 // The transmittance between a surface and a light.
 
 #include "trace/media.h"
+#include "trace/policy.h"
 #include "trace/spawn_ray.h"
 
 #include <algorithm>
@@ -207,11 +208,11 @@ template <class T, class AnyRay>
 }
 
 /// The closest hit of a ray to primitive `target`, which it mostly reaches; -1 for none. (A naive ray may hit what its
-/// search misses.)
+/// search misses, and a small program has one search for all.)
 template <class T, class AnyRay>
 [[nodiscard]] std::optional<Hit<T>> closest_on_the_way(const World<T>& world, const AnyRay& ray, int target,
                                                        TestCounts& counts) {
-  if constexpr (std::is_same_v<AnyRay, Ray<T>>)
+  if constexpr (std::is_same_v<AnyRay, Ray<T>> && !few_kernels)
     if (target >= 0) return world.accelerator.closest_likely(ray, target, counts);
   return world.accelerator.closest(ray, infinity<T>, counts);
 }
