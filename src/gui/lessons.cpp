@@ -25,7 +25,9 @@ void list(const Ui& ui, const LessonPanel& panel, bool is_new) {
     std::string title = fmt::format("{}  {}", ++number, row.title);
     if (row.done > 0) title += row.done == row.steps ? "  \u2713" : fmt::format("  {}/{}", row.done, row.steps);
     const Colour ink = row.locked ? ui.colours.dim_text : row.next ? shades.on_accent : ui.colours.text;
-    if (wide_button(ui, "lesson/" + row.name, title, row.next ? shades.accent : shades.raised, ink, true))
+    // Where *Finish* was clicked twice a lesson may lie by now.
+    if (wide_button(ui, "lesson/" + row.name, title, row.next ? shades.accent : shades.raised, ink, true) &&
+        !(ImGui::IsMouseReleased(0) && ImGui::GetIO().MouseClickedLastCount[0] > 1))
       ui.act(action::OpenLesson{row.name});
     if (is_new && row.next) ImGui::SetScrollHereY(0.35f);
     if (row.locked) tooltip(ui, "lesson/" + row.name, ui.say("lesson.locked"));

@@ -117,3 +117,29 @@ TEST_CASE("what a step shows large is exchanged by hand for that step and mode a
   update(state, action::GoToLessonStep{1});
   CHECK(is_large());
 }
+
+TEST_CASE("a changed scene leaves the walk at the same ray, however many steps come before it now") {
+  State state = state_with_lessons();
+  update(state, action::OpenLesson{"03-shadows"});
+  update(state, action::GoToLessonStep{1});
+  update(state, action::RevealLesson{});
+  const auto light_now = [&] {
+    const Timeline& timeline = *state.walk.timeline;
+    return timeline.rays()[static_cast<std::size_t>(timeline.current_ray(state.walk.position))].light;
+  };
+  const int light = light_now();
+  REQUIRE(light >= 0);
+  const int steps = state.walk.timeline->steps();
+  bool shorter = false;
+  // All about the plan: where the light's rays are formed, and where they are not.
+  for (const double x : {-6.0, -3.0, 0.0, 3.0, 6.0, 9.0})
+    for (const double y : {-5.0, 0.0, 5.0}) {
+      Light moved = state.scene().lights[static_cast<std::size_t>(light)];
+      std::get<PointLight>(moved.kind).position = {x, y, 0};
+      update(state, action::SetLight{light, moved});
+      INFO(x << " " << y);
+      CHECK(light_now() == light);
+      shorter = shorter || state.walk.timeline->steps() < steps;
+    }
+  CHECK(shorter);
+}

@@ -57,7 +57,8 @@ class Drawing {
   struct PointMark {
     Vec2d at;
     Sign sign;
-    bool joins = true;  ///< shares the label of one that it covers
+    bool joins = true;            ///< shares the label of one that it covers
+    std::optional<double> off{};  ///< from the true surface, scene units
   };
 
   [[nodiscard]] std::string name_of(const PointMark& mark) const {
@@ -267,7 +268,8 @@ void Drawing::point_at(const PointMark& mark) {
         fill(mark.sign == Sign::naive_start ? "microscope.naive_off_sight" : "microscope.off_sight",
              painter_.state.appearance.language,
              {{"point", name_of(mark)},
-              {"ulps", ulps_text(specimen_.in_ulps(length(way) / scale_), painter_.state.appearance.language)}}));
+              {"ulps", ulps_text(specimen_.in_ulps(mark.off ? std::abs(*mark.off) : length(way) / scale_),
+                                 painter_.state.appearance.language)}}));
 }
 
 /// Between a sphere and the ray that passes it.
@@ -287,7 +289,8 @@ void Drawing::draw_marks() {
   if (specimen_.robust) marks.push_back({place_of(specimen_.robust->point), Sign::robust});
   if (specimen_.naive) {
     marks.push_back({place_of(specimen_.naive->point), Sign::naive});
-    for (const SpawnPoint& start : specimen_.naive->starts) marks.push_back({place_of(start.place), Sign::naive_start});
+    for (const SpawnPoint& start : specimen_.naive->starts)
+      marks.push_back({place_of(start.place), Sign::naive_start, true, start.off});
   }
   if (specimen_.crossing) marks.push_back({pixels(flat(*specimen_.crossing)), Sign::crossing, false});
   struct LabelGroup {

@@ -91,7 +91,27 @@ std::shared_ptr<const Timeline> record_other(const State& state, int depth, int 
   return std::make_shared<const Timeline>(record(state, *limited, other, samples));
 }
 
-/// The position in `after` that corresponds to `position` in `before`.
+/// Whose ray it is: of a parent, of a kind, to a light; of several the n-th.
+bool alike(const RayRecord& a, const RayRecord& b) {
+  return a.parent == b.parent && a.kind == b.kind && a.light == b.light;
+}
+
+/// The ray of a pixel in `after` that corresponds to `ray` in `before`; -1: none.
+int same_ray(const Timeline& before, int ray, const Timeline& after, int pixel) {
+  const std::vector<RayRecord>&rays = before.rays(), &others = after.rays();
+  RayRecord sought = rays[static_cast<std::size_t>(ray)];
+  const int first = before.rays_of_pixel(pixel).first;
+  const auto ahead = std::count_if(rays.begin() + first, rays.begin() + ray,
+                                   [&](const RayRecord& other) { return alike(other, sought); });
+  if (sought.parent >= 0) sought.parent = sought.parent < first ? -1 : same_ray(before, sought.parent, after, pixel);
+  const Timeline::Range range = after.rays_of_pixel(pixel);
+  int found = 0;
+  for (int i = range.first; i < range.last; ++i)
+    if (alike(others[static_cast<std::size_t>(i)], sought) && found++ == ahead) return i;
+  return -1;
+}
+
+/// The position in `after` that corresponds to `position` in `before`: as far from where the same ray was formed.
 int same_place(const Timeline& before, int position, const Timeline& after) {
   if (position <= 0) return 0;
   if (position >= before.steps()) return after.steps();
@@ -100,7 +120,14 @@ int same_place(const Timeline& before, int position, const Timeline& after) {
   const PixelRecord& old_pixel = before.pixels()[static_cast<std::size_t>(pixel)];
   const PixelRecord& new_pixel = after.pixels()[static_cast<std::size_t>(pixel)];
   if (position == old_pixel.done_at) return new_pixel.done_at;
-  return std::min(new_pixel.begun_at + (position - old_pixel.begun_at), new_pixel.done_at);
+  const int ray = before.current_ray(position);
+  const int other = ray < before.rays_of_pixel(pixel).first ? -1 : same_ray(before, ray, after, pixel);
+  if (other < 0) return std::min(new_pixel.begun_at + (position - old_pixel.begun_at), new_pixel.done_at);
+  const int since = position - before.rays()[static_cast<std::size_t>(ray)].formed_at;
+  const int last = other + 1 < after.rays_of_pixel(pixel).last
+                       ? after.rays()[static_cast<std::size_t>(other) + 1].formed_at - 1
+                       : new_pixel.done_at;
+  return std::min(after.rays()[static_cast<std::size_t>(other)].formed_at + std::max(since, 0), last);
 }
 
 }  // namespace
