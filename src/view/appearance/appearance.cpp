@@ -2,7 +2,6 @@
 
 #include "view/action.h"
 #include "view/document/document.h"
-#include "view/lesson/lesson_panel.h"
 #include "view/plan/pointer.h"
 #include "view/text/text.h"
 
@@ -42,12 +41,6 @@ void action::DividePanes::apply(State& state) const {
 }
 
 void action::ExchangePanes::apply(State& state) const {
-  // For this step alone: the next one shows again what it speaks of.
-  if (lesson_enlarges(state)) {
-    bool& by_hand = state.lessons.exchanged[state.walk.mode == Mode::move ? 0 : 1];
-    by_hand = !by_hand;
-    return;
-  }
   std::vector<Tab>& exchanged = state.appearance.exchanged;
   if (std::erase(exchanged, state.appearance.tab) == 0) exchanged.push_back(state.appearance.tab);
 }

@@ -338,6 +338,11 @@ void action::SetLessonOptions::apply(State& state) const {
   write_progress(state);
 }
 
+void action::ExchangeInStep::apply(State& state) const {
+  bool& by_hand = state.lessons.exchanged[state.walk.mode == Mode::move ? 0 : 1];
+  by_hand = !by_hand;
+}
+
 void action::ShowNotesWindow::apply(State& state) const {
   state.lessons.notes_window = shown;
   if (!shown) return;

@@ -127,6 +127,13 @@ struct SetLessonOptions {
   void apply(State& state) const;
 };
 
+/// Exchanges what a step shows large and the plan, for this step and mode alone: the next one shows again what it
+/// speaks of.
+struct ExchangeInStep {
+  static constexpr std::string_view word = "exchange-in-step";
+  void apply(State& state) const;
+};
+
 /// The presenter's notes in a window of their own, which a class does not see.
 struct ShowNotesWindow {
   static constexpr std::string_view word = "notes-window";
@@ -144,7 +151,7 @@ namespace raywalk {
 struct LessonRoom {
   using Actions = Types<action::ShowLessons, action::ListLessons, action::OpenLesson, action::LeaveLesson,
                         action::GoToLessonStep, action::GuessChoice, action::GuessNumber, action::RevealLesson,
-                        action::ShowHands, action::SetLessonOptions, action::ShowNotesWindow>;
+                        action::ShowHands, action::SetLessonOptions, action::ExchangeInStep, action::ShowNotesWindow>;
   static Commands commands();
   static void close(State& state);
 
