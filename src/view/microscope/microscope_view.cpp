@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
-#include <vector>
 
 namespace raywalk {
 
@@ -106,7 +105,6 @@ class Drawing {
   double scale_;  ///< pixels per scene unit
   Vec2d middle_;  ///< where the focus is, pixels
   PixelRect scale_box_{};
-  std::vector<std::pair<Vec2d, Vec2d>> lines_;  ///< outlines and rays so far: labels keep off them
   double unit_;
 };
 
@@ -152,7 +150,7 @@ void Drawing::draw_surfaces() {
       const Vec2d at = pixels(cut.points[i]), inwards(-cut.outwards[i].x, cut.outwards[i].y);
       if (!line.points.empty()) {
         since += length(at - line.points.back());
-        lines_.emplace_back(line.points.back(), at);
+        painter_.prominent.push_back({line.points.back(), at});
       }
       line.points.push_back(at);
       if (since >= tick_apart * unit_) {
@@ -197,7 +195,7 @@ void Drawing::draw_ray() {
   const RayStyle& style = ray_style(painter_.state.appearance.theme, specimen_.kind);
   const Vec2d end = specimen_.passed < 0 ? to : to + across() * towards;
   painter_.add_clipped({from, end, {style.colour, 2.6 * unit_, painter_.scaled(style.dash)}, 12 * unit_, 0.6});
-  lines_.emplace_back(from, end);
+  painter_.prominent.push_back({from, end});
 }
 
 /// One ray of each kind; naive ones if they start elsewhere. One that hits its own surface at once is cut off.
@@ -220,7 +218,7 @@ void Drawing::draw_leaving(const std::optional<Reading>& reading, bool naive) {
     }
     const double far = rays.kind == RayKind::shadow ? std::min(size * scale_, across()) : across();
     painter_.add_clipped({at, at + far * towards, stroke, 9 * unit_, 0.7});
-    lines_.emplace_back(at, at + far * towards);
+    painter_.prominent.push_back({at, at + far * towards});
   }
 }
 
@@ -352,8 +350,8 @@ void Drawing::label(const Vec2d& at, double clear, const std::string& words) {
       double covered = 4 * half.x * half.y - box.overlap(pane);
       covered *= 10;
       for (const PixelRect& kept : painter_.kept_free) covered += box.overlap(kept);
-      const bool lies_on_line = std::any_of(lines_.begin(), lines_.end(),
-                                            [&](const auto& line) { return box.meets(line.first, line.second); });
+      const bool lies_on_line = std::any_of(painter_.prominent.begin(), painter_.prominent.end(),
+                                            [&](const auto& line) { return box.meets(line[0], line[1]); });
       // If equal, the nearest.
       const double cost = covered + (lies_on_line ? half.x * half.y : 0) + farther;
       if (best && cost >= least_cost) continue;
