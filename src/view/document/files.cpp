@@ -153,6 +153,7 @@ void show_document(State& state, SceneDocument document, std::string path) {
   state.document.question.reset();
   state.document.notice.reset();
   state.walk.pixel.reset();
+  state.walk.strip_position = 0;
   state.picture.camera.reset();
   state.space.lines_camera.reset();
   state.space.lines_wanted.reset();
