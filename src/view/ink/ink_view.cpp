@@ -40,12 +40,8 @@ void add_words(Painter& painter, const Vec2d& at, const std::string& words, doub
 void add_reading(Painter& painter, const std::vector<Vec2d>& places, const std::string& words, Colour colour) {
   const double size = painter.sizes.text;
   const Vec2d half(text_width(words, size) / 2 + 0.25 * size, 0.62 * size);
-  const auto is_free = [&](const Vec2d& at) {
-    const PixelRect box{at - half, at + half};
-    return std::none_of(painter.kept_free.begin(), painter.kept_free.end(),
-                        [&](const PixelRect& taken) { return box.overlap(taken) > 0; });
-  };
-  const auto free = std::find_if(places.begin(), places.end(), is_free);
+  const auto free = std::find_if(places.begin(), places.end(),
+                                 [&](const Vec2d& at) { return !painter.covers_kept({at - half, at + half}); });
   add_words(painter, free == places.end() ? places.front() : *free, words, size, colour, TextAnchor::middle);
 }
 

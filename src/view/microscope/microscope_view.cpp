@@ -420,8 +420,7 @@ void Drawing::draw_factor() {
                                                 painter_.state.appearance.language);
   const Vec2d half(text_width(factor, size) / 2 + 0.2 * size, 0.6 * size);
   const Vec2d at(12 * unit_ + half.x, 0.9 * size + 4 * unit_);
-  const auto covers = [&](const PixelRect& kept) { return kept.overlap({at - half, at + half}) > 0; };
-  if (std::none_of(painter_.kept_free.begin(), painter_.kept_free.end(), covers)) painter_.note(at, factor);
+  if (!painter_.covers_kept({at - half, at + half})) painter_.note(at, factor);
 }
 
 }  // namespace

@@ -146,6 +146,11 @@ bool runs_through(const Shape2d& shape, const PixelRect& box) {
 
 }  // namespace
 
+bool Painter::covers_kept(const PixelRect& box) const {
+  return std::any_of(kept_free.begin(), kept_free.end(),
+                     [&](const PixelRect& taken) { return box.overlap(taken) > 0; });
+}
+
 bool Painter::note(const std::vector<Vec2d>& places, const std::string& text) {
   return note(places, text, [](const Vec2d& /*place*/) { return 0.0; });
 }
@@ -159,9 +164,7 @@ bool Painter::note(const std::vector<Vec2d>& places, const std::string& text,
   const Vec2d half = half_of_note(text, sizes.text);
   const double area = 4 * half.x * half.y;
   const auto is_free = [&](const PixelRect& box) {
-    return box.overlap(pane()) > 0.999 * area &&
-           std::none_of(kept_free.begin(), kept_free.end(),
-                        [&](const PixelRect& taken) { return box.overlap(taken) > 0; }) &&
+    return box.overlap(pane()) > 0.999 * area && !covers_kept(box) &&
            std::none_of(leaders.begin(), leaders.end(), [&](const auto& line) { return box.meets(line[0], line[1]); });
   };
   std::optional<Vec2d> best;

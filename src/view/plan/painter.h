@@ -84,6 +84,8 @@ class Painter {
   [[nodiscard]] Vec2d seen_end(const Vec2d& from, const Vec2d& to) const;
   /// The middle of the visible part of a segment, whose ends may be far outside.
   [[nodiscard]] Vec2d seen_middle(Vec2d from, Vec2d to) const;
+  /// Whether a box covers something that is kept free.
+  [[nodiscard]] bool covers_kept(const PixelRect& box) const;
   void keep_free(const Vec2d& at, double radius) { kept_free.push_back({at - radius, at + radius}); }
 
  private:

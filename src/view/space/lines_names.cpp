@@ -114,9 +114,7 @@ void draw_name(Painter& painter, const std::string& what, const Vec2d& of, const
       if (!on_lines &&
           std::any_of(lines.begin(), lines.end(), [&](const auto& ends) { return box.meets(ends[0], ends[1]); }))
         continue;
-      if (std::any_of(painter.kept_free.begin(), painter.kept_free.end(),
-                      [&](const PixelRect& taken) { return box.overlap(taken) > 0; }))
-        continue;
+      if (painter.covers_kept(box)) continue;
       return put(painter, at, letters);
     }
 }

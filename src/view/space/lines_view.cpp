@@ -231,11 +231,7 @@ class Lines {
     const Vec2d along = half.x / std::max(std::abs(way.x), 1e-9) < half.y / std::max(std::abs(way.y), 1e-9)
                             ? Vec2d(0, place.y > centre.y ? -1 : 1)
                             : Vec2d(place.x > centre.x ? -1 : 1, 0);
-    const auto is_taken = [&] {
-      const PixelRect box{place - 3 * least, place + 3 * least};
-      return std::any_of(painter_.kept_free.begin(), painter_.kept_free.end(),
-                         [&](const PixelRect& taken) { return box.overlap(taken) > 0; });
-    };
+    const auto is_taken = [&] { return painter_.covers_kept({place - 3 * least, place + 3 * least}); };
     constexpr int tries = 40;
     for (int i = 0; i < tries && is_taken(); ++i) place += 3 * least * along;
     painter_.add(CircleItem{place, least, painter_.colours.light, std::nullopt}, target);

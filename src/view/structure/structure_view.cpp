@@ -146,9 +146,9 @@ void draw_reason(Painter& painter, const BoxMark& mark, const PixelRect& box, co
   if (low.x > high.x || low.y > high.y) return;
   for (const Vec2d& at : {low, Vec2d(high.x, low.y), Vec2d(low.x, high.y), high, (low + high) / 2.0}) {
     const PixelRect place{at - half, at + half};
-    const auto covers = [&](const PixelRect& taken) { return place.overlap(taken) > 0; };
-    if (std::any_of(painter.kept_free.begin(), painter.kept_free.end(), covers)) continue;
-    if (std::any_of(bodies.begin(), bodies.end(), covers)) continue;
+    if (painter.covers_kept(place)) continue;
+    if (std::any_of(bodies.begin(), bodies.end(), [&](const PixelRect& taken) { return place.overlap(taken) > 0; }))
+      continue;
     painter.add(TextItem{at, mark.label, size, painter.colours.dim_text, TextAnchor::middle});
     return painter.kept_free.push_back(place);
   }
