@@ -26,13 +26,6 @@ std::string language_label(const State& state, bool in_short) {
          std::string(state.appearance.language.name());
 }
 
-void exchange_panes(const Ui& ui) {
-  if (lesson_enlarges(ui.state))
-    ui.act(action::ExchangeInStep{});
-  else
-    ui.act(action::ExchangePanes{});
-}
-
 }  // namespace
 
 bool panes_exchanged(const State& state) {
@@ -62,7 +55,7 @@ Commands AppearanceRoom::commands() {
        .chosen = [](const State& state) { return state.appearance.english_code; }, .turn = turn<action::SetEnglishCode>},
       {.name = "exchange", .keys = {"X"}, .section = Section::window,
        .chosen = [](const State& state) { return exchanged_by_hand(state) != has_plans_place(state); },
-       .run = exchange_panes},
+       .run = act<action::ExchangePanes>},
       {.name = "menu", .keys = {"F10"}, .line = "keys.menus", .run = wish<WindowWish::menu>},
       {.name = "full-screen", .keys = {"F11"}, .section = Section::window, .line = "keys.menus",
        .run = wish<WindowWish::full_screen>},

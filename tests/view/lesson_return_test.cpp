@@ -97,11 +97,11 @@ TEST_CASE("what a step shows large is exchanged by hand for that step and mode a
   CHECK(is_large());
   update(state, action::SetMode{Mode::move});
   CHECK_FALSE(is_large());
-  update(state, action::ExchangeInStep{});
+  update(state, action::ExchangePanes{});
   CHECK(is_large());
   update(state, action::SetMode{Mode::trace});
   CHECK(is_large());
-  update(state, action::ExchangeInStep{});
+  update(state, action::ExchangePanes{});
   CHECK_FALSE(is_large());
   // Neither for the next step, nor by what was exchanged elsewhere.
   update(state, action::GoToLessonStep{3});

@@ -40,9 +40,4 @@ void action::DividePanes::apply(State& state) const {
   state.appearance.code_part = code_part > 0 ? std::clamp(code_part, min_code_part, max_code_part) : 0;
 }
 
-void action::ExchangePanes::apply(State& state) const {
-  std::vector<Tab>& exchanged = state.appearance.exchanged;
-  if (std::erase(exchanged, state.appearance.tab) == 0) exchanged.push_back(state.appearance.tab);
-}
-
 }  // namespace raywalk

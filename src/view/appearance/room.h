@@ -86,12 +86,6 @@ struct DividePanes {
   static constexpr Traits traits{.keeps_drag = true, .always = true};
   void apply(State& state) const;
 };
-/// The open tab and the plan change places; the tab opens there again.
-struct ExchangePanes {
-  static constexpr std::string_view word = "exchange";
-  static constexpr Traits traits{.keeps_drag = true};
-  void apply(State& state) const;
-};
 struct DismissNotice {
   static constexpr std::string_view word = "dismiss";
   static constexpr Traits traits{.keeps_drag = true, .always = true};
@@ -106,7 +100,7 @@ namespace raywalk {
 struct AppearanceRoom {
   using Actions =
       Types<action::SetTheme, action::SetLanguage, action::SetEnglishCode, action::SetUiScale, action::SetTouch,
-            action::SetTab, action::ShowFront, action::DividePanes, action::ExchangePanes, action::DismissNotice>;
+            action::SetTab, action::ShowFront, action::DividePanes, action::DismissNotice>;
   static Commands commands();
 
   Theme theme = Theme::dark;

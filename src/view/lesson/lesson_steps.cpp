@@ -338,9 +338,14 @@ void action::SetLessonOptions::apply(State& state) const {
   write_progress(state);
 }
 
-void action::ExchangeInStep::apply(State& state) const {
-  bool& by_hand = state.lessons.exchanged[state.walk.mode == Mode::move ? 0 : 1];
-  by_hand = !by_hand;
+void action::ExchangePanes::apply(State& state) const {
+  if (lesson_enlarges(state)) {
+    bool& by_hand = state.lessons.exchanged[state.walk.mode == Mode::move ? 0 : 1];
+    by_hand = !by_hand;
+    return;
+  }
+  std::vector<Tab>& exchanged = state.appearance.exchanged;
+  if (std::erase(exchanged, state.appearance.tab) == 0) exchanged.push_back(state.appearance.tab);
 }
 
 void action::ShowNotesWindow::apply(State& state) const {

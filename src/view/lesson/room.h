@@ -127,10 +127,11 @@ struct SetLessonOptions {
   void apply(State& state) const;
 };
 
-/// Exchanges what a step shows large and the plan, for this step and mode alone: the next one shows again what it
-/// speaks of.
-struct ExchangeInStep {
-  static constexpr std::string_view word = "exchange-in-step";
+/// What stands in the tabs and the plan change places: of what a step shows large for this step and mode alone, for the
+/// next one shows again what it speaks of; else for the open tab.
+struct ExchangePanes {
+  static constexpr std::string_view word = "exchange";
+  static constexpr Traits traits{.keeps_drag = true};
   void apply(State& state) const;
 };
 
@@ -151,7 +152,7 @@ namespace raywalk {
 struct LessonRoom {
   using Actions = Types<action::ShowLessons, action::ListLessons, action::OpenLesson, action::LeaveLesson,
                         action::GoToLessonStep, action::GuessChoice, action::GuessNumber, action::RevealLesson,
-                        action::ShowHands, action::SetLessonOptions, action::ExchangeInStep, action::ShowNotesWindow>;
+                        action::ShowHands, action::SetLessonOptions, action::ExchangePanes, action::ShowNotesWindow>;
   static Commands commands();
   static void close(State& state);
 
