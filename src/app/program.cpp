@@ -224,7 +224,7 @@ ExitCode printed(const std::string& text) {
   return result ? ExitCode::done : fail(result.error());
 }
 
-/// Window options for screenshots and tests; users find them in the window itself.
+/// The hidden ones are for screenshots and tests.
 void declare_window(CLI::App& program, FileLedger& ledger, Run& run) {
   struct Asked {
     GuiOptions options;
@@ -246,10 +246,12 @@ void declare_window(CLI::App& program, FileLedger& ledger, Run& run) {
   hide(program.add_option("--start-mode", to.start_mode));
   hide(program.add_option("--start-tab", to.start_tab));
   hide(program.add_option("--start-position", to.start_position));
-  hide(program.add_option("--theme", to.theme));
-  hide(program.add_option("--ui-scale", to.ui_scale));
+  program.add_option("--theme", to.theme, "dark or projector; left out: as it was left")->type_name("NAME");
+  program.add_option("--ui-scale", to.ui_scale, "How large letters and buttons are; left out: as it was left")
+      ->type_name("FACTOR");
   hide(add_file(program, "--report", to.report_path, "FILE", ""));
-  hide(add_parsed(program, "--window", asked->window, parse_size, "WxH", "such as 1280x720", ""));
+  add_parsed(program, "--window", asked->window, parse_size, "WxH", "such as 1280x720",
+             "The window's size; left out: 1280x720");
   program.callback([asked, demo_help_wanted, &program, &ledger, &run] {
     if (program.get_subcommands().empty() && demo_help_wanted->count() > 0) {
       run = [] { return printed(demo_help()); };

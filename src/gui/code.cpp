@@ -42,12 +42,12 @@ void draw_breakpoint(const Ui& ui, const Rect& gutter, bool is_set, bool pointed
   if (pointed_at) draw.AddCircle(centre, ui.px(8), to_imgui(ui.colours.text), 0, std::max(ui.px(1.4f), 1.0f));
 }
 
-// A frame, and a sign at the right end: suspected, or known to be faulty.
+// A frame, and a sign at the right end: suspected, or known to be faulty (no cross: that is a wrong answer's).
 void draw_blame(const Ui& ui, Blame blame, const Rect& where) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const ImU32 ink = to_imgui(ui.colours.error);
   draw.AddRect(corner(where), opposite(where), ink, ui.px(4), 0, std::max(ui.px(2), 1.0f));
-  const char* sign = blame == Blame::marked ? "?" : "\u2717";
+  const char* sign = blame == Blame::marked ? "?" : "!";
   push_font(ui.fonts.code_strong);
   const ImVec2 extent = ImGui::CalcTextSize(sign);
   draw.AddText({where.right() - extent.x - ui.px(7), where.y + (where.height - extent.y) / 2}, ink, sign);

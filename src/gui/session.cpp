@@ -40,15 +40,11 @@ Result<void> choose(const std::string& name, const char* what, Choice& to) {
 }  // namespace
 
 Settings settings_of(const State& state) {
-  return {state.appearance.theme,
-          state.appearance.ui_scale,
-          state.appearance.tab,
-          std::string(state.appearance.language.code()),
-          state.walk.tweens,
-          state.appearance.english_code,
-          state.appearance.exchanged,
-          state.appearance.code_part,
-          state.link.page};
+  return {state.appearance.theme,     state.appearance.ui_scale,
+          state.appearance.tab,       std::string(state.appearance.language.code()),
+          state.walk.tweens,          state.appearance.english_code,
+          state.appearance.exchanged, state.appearance.code_part,
+          state.lessons.presenter,    state.link.page};
 }
 
 namespace {
@@ -62,10 +58,11 @@ nlohmann::json settings_in(const std::string& state_dir) {
 nlohmann::json json_of(const Settings& settings) {
   nlohmann::json exchanged = nlohmann::json::array();
   for (const Tab& tab : settings.exchanged) exchanged.push_back(tab.word);
-  return {
-      {"theme", name_of(settings.theme)}, {"tab", name_of(settings.tab)},          {"ui_scale", settings.ui_scale},
-      {"tweens", settings.tweens},        {"english_code", settings.english_code}, {"exchanged", exchanged},
-      {"language", settings.language},    {"link_page", settings.link_page},       {"code_part", settings.code_part}};
+  return {{"theme", name_of(settings.theme)},      {"tab", name_of(settings.tab)},
+          {"ui_scale", settings.ui_scale},         {"tweens", settings.tweens},
+          {"english_code", settings.english_code}, {"exchanged", exchanged},
+          {"language", settings.language},         {"link_page", settings.link_page},
+          {"code_part", settings.code_part},       {"presenter", settings.presenter}};
 }
 
 }  // namespace
@@ -89,6 +86,8 @@ Settings read_settings(const std::string& state_dir) {
   if (const auto at = json.find("tweens"); at != json.end() && at->is_boolean()) settings.tweens = at->get<bool>();
   if (const auto at = json.find("english_code"); at != json.end() && at->is_boolean())
     settings.english_code = at->get<bool>();
+  if (const auto at = json.find("presenter"); at != json.end() && at->is_boolean())
+    settings.presenter = at->get<bool>();
   if (const auto at = json.find("exchanged"); at != json.end() && at->is_array())
     for (const auto& each : *at)
       if (const auto tab = each.is_string() ? named<Tab>(each.get<std::string>()) : std::nullopt)
@@ -157,6 +156,7 @@ Result<State> start(const GuiOptions& options, const Stop& stop) {
   state.appearance.theme = settings.theme;
   state.appearance.english_code = settings.english_code;
   state.appearance.exchanged = settings.exchanged;
+  state.lessons.presenter = settings.presenter;
   state.appearance.code_part = settings.code_part;
   state.appearance.ui_scale =
       options.ui_scale > 0 ? std::clamp(options.ui_scale, min_ui_scale, max_ui_scale) : settings.ui_scale;

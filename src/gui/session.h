@@ -24,6 +24,7 @@ struct Settings {
   bool english_code = false;
   std::vector<Tab> exchanged{};
   double code_part = 0;
+  bool presenter = false;   ///< lessons are presented
   std::string link_page{};  ///< where links lead to; empty: as LinkRoom has it
   friend bool operator==(const Settings&, const Settings&) = default;
 };

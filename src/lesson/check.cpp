@@ -214,6 +214,13 @@ class WordsChecker {
   std::vector<Error> errors_;
 };
 
+/// A name in the language, a number as print has it.
+std::string in_words(const Value& value, int decimals, const Scene& scene, Language language) {
+  if (const auto* const name = std::get_if<std::string>(&value)) return shown_name(scene, *name, language);
+  if (std::holds_alternative<double>(value)) return typeset_power(text_of(value, decimals), language);
+  return text_of(value, decimals, language.decimal_mark());
+}
+
 }  // namespace
 
 Result<std::string> filled(const PlayedLesson& played, std::size_t index, int position, const Passage& passage,
@@ -236,9 +243,7 @@ Result<std::string> filled(const PlayedLesson& played, std::size_t index, int po
     if (!value) return wrong(slot.formula + ": " + value.error());
     if (std::holds_alternative<Nothing>(*value))
       return wrong(fmt::format("{{{}}} is nothing at step {} of the walk", slot.formula, position));
-    const auto* const name = std::get_if<std::string>(&*value);
-    text += name != nullptr ? shown_name(played.steps[index].walk->document.scene, *name, language)
-                            : text_of(*value, slot.decimals, language.decimal_mark());
+    text += in_words(*value, slot.decimals, played.steps[index].walk->document.scene, language);
     at = close + 1;
   }
   return with_quotes(text, language);

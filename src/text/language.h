@@ -90,6 +90,11 @@ using TextArguments = std::vector<TextArgument>;
 /// in backquotes.
 [[nodiscard]] std::string with_quotes(std::string_view text, Language language);
 
+/// Printed digits: with the language's decimal separator and a true minus sign.
+[[nodiscard]] std::string typeset_number(std::string digits, Language language);
+/// The same of digits as fmt writes them, with an exponent as a power of ten: "1.5e-42" becomes 1.5 · 10⁻⁴².
+[[nodiscard]] std::string typeset_power(std::string digits, Language language);
+
 /// A text of a family, by the name used in files and options: family_text("effect", "depth of field", language) is the
 /// text of "effect.depth_of_field".
 [[nodiscard]] std::string_view family_text(std::string_view family, std::string_view name, Language language);

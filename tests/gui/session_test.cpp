@@ -101,7 +101,8 @@ TEST_CASE("a scene that cannot be read is an error that names it") {
 
 TEST_CASE("settings are kept; broken ones are as good as none") {
   const Folder folder;
-  const Settings chosen{Theme::projector, 2.25, TreeRoom::tab, "pt", false, true, {TreeRoom::tab, CostRoom::tab}};
+  const Settings chosen{
+      Theme::projector, 2.25, TreeRoom::tab, "pt", false, true, {TreeRoom::tab, CostRoom::tab}, 0, true};
   write_settings(folder / "state", {}, chosen);
   CHECK(read_settings(folder / "state") == chosen);
   GuiOptions wanted = options(folder);
@@ -109,6 +110,7 @@ TEST_CASE("settings are kept; broken ones are as good as none") {
   CHECK_FALSE(start(wanted)->walk.tweens);
   CHECK(start(wanted)->appearance.english_code);
   CHECK(start(wanted)->appearance.exchanges());
+  CHECK(start(wanted)->lessons.presenter);
   wanted.theme = "dark";
   CHECK(start(wanted)->appearance.theme == Theme::dark);
   for (const std::string text : {"", "{", "[1, 2]", R"({"theme": 7, "ui_scale": "large", "tab": "x"})", "\xff\xfe"}) {

@@ -78,3 +78,15 @@ TEST_CASE("a folder that is not there leaves English") {
   CHECK(codes_of(read) == "en ");
   CHECK(read.broken.empty());
 }
+
+TEST_CASE("digits are set as print has them: the language's decimal mark, a minus, powers of ten") {
+  const Language english;
+  CHECK(typeset_number("-1.25", english) == "\u22121.25");
+  CHECK(typeset_power("-1.25", english) == "\u22121.25");
+  CHECK(typeset_power("1.19e-15", english) == "1.19 · 10⁻¹⁵");
+  CHECK(typeset_power("1e+18", english) == "10¹⁸");
+  const TemporaryFolder folder;
+  put(folder, "fr.toml", french);
+  const LanguagesRead read = read_languages(folder.path());
+  CHECK(typeset_power("-2.5e-07", read.languages->find("fr").value()) == "\u22122,5 · 10⁻⁷");
+}

@@ -10,7 +10,8 @@ void BugRoom::draw_in_plan(Painter& painter) {
     const std::optional<RayWay> way = ray_way(painter, ray, true);
     if (!way) continue;
     const RayStyle& style = ray_style(painter.state.appearance.theme, ray.kind);
-    const Stroke stroke{style.colour, 1.8 * painter.sizes.unit, painter.scaled({{2, 5, 0, 0}, 2})};
+    // Wide dots: a shadow ray's short dashes must not look like them.
+    const Stroke stroke{style.colour, 3 * painter.sizes.unit, painter.scaled({{3, 6, 0, 0}, 2})};
     painter.add_clipped({way->from, way->to, stroke, 7 * painter.sizes.unit, 0.7});
     if (ray.ending == Ending::blocked) draw_blocked(painter, way->to, way->along, stroke);
   }

@@ -60,16 +60,19 @@ class Drawing {
     std::optional<double> off{};  ///< from the true surface, scene units
   };
 
-  [[nodiscard]] std::string name_of(const PointMark& mark) const {
+  /// Of a start also on which side of the surface it is, unless that is not `told`.
+  [[nodiscard]] std::string name_of(const PointMark& mark, bool told = true) const {
+    const Language language = painter_.state.appearance.language;
     switch (mark.sign) {
       case Sign::robust:
-        return fill("microscope.robust", painter_.state.appearance.language);
+        return fill("microscope.robust", language);
       case Sign::naive:
-        return fill("microscope.naive", painter_.state.appearance.language);
+        return fill("microscope.naive", language);
       case Sign::naive_start:
-        return fill("microscope.naive_start", painter_.state.appearance.language);
+        if (!told || !mark.off || *mark.off == 0) return fill("microscope.naive_start", language);
+        return fill(*mark.off > 0 ? "microscope.naive_start_outside" : "microscope.naive_start_inside", language);
       case Sign::crossing:
-        return fill("microscope.crossing", painter_.state.appearance.language);
+        return fill("microscope.crossing", language);
     }
     return {};
   }
@@ -263,8 +266,7 @@ void Drawing::point_at(const PointMark& mark) {
   painter_.add(LineItem{tip - arrow, tip, stroke, 11 * unit_});
   painter_.keep_free(tip - arrow / 2.0, 12 * unit_);
   label(tip - arrow / 2.0, 16 * unit_,
-        fill(mark.sign == Sign::naive_start ? "microscope.naive_off_sight" : "microscope.off_sight",
-             painter_.state.appearance.language,
+        fill("microscope.off_sight", painter_.state.appearance.language,
              {{"point", name_of(mark)},
               {"ulps", ulps_text(specimen_.in_ulps(mark.off ? std::abs(*mark.off) : length(way) / scale_),
                                  painter_.state.appearance.language)}}));
@@ -293,7 +295,7 @@ void Drawing::draw_marks() {
   if (specimen_.crossing) marks.push_back({pixels(flat(*specimen_.crossing)), Sign::crossing, false});
   struct LabelGroup {
     Vec2d at;
-    std::string words;
+    std::vector<PointMark> marks;
   };
   std::vector<LabelGroup> groups;
   const double margin = 14 * unit_;
@@ -304,13 +306,12 @@ void Drawing::draw_marks() {
       const Vec2d from = place_of(specimen_.naive->point);
       painter_.add_clipped({from, mark.at, {painter_.colours.error, 1.4 * unit_, painter_.scaled({{2, 4}, 2})}});
     }
-    const std::string own = name_of(mark);
     const auto near = std::find_if(groups.begin(), groups.end(),
                                    [&](const LabelGroup& group) { return length(group.at - mark.at) < margin; });
     if (near == groups.end())
-      groups.push_back({mark.at, own});
-    else if (mark.joins && near->words.find(own) == std::string::npos)
-      near->words += ", " + own;
+      groups.push_back({mark.at, {mark}});
+    else if (mark.joins)
+      near->marks.push_back(mark);
   }
   for (const PointMark& mark : marks)
     if (mark.sign == Sign::naive && in_sight(mark.at, margin)) draw_sign(mark);
@@ -320,7 +321,14 @@ void Drawing::draw_marks() {
            return group.at != mark.at && length(group.at - mark.at) < 4 * unit_;
          })))
       draw_sign(mark);
-  for (const LabelGroup& group : groups) label(group.at, 13 * unit_, group.words);
+  for (const LabelGroup& group : groups) {
+    const bool two_starts = std::count_if(group.marks.begin(), group.marks.end(),
+                                          [](const PointMark& mark) { return mark.sign == Sign::naive_start; }) > 1;
+    std::vector<std::string> names;
+    for (const PointMark& mark : group.marks) names.push_back(name_of(mark, !two_starts));
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    label(group.at, 13 * unit_, fmt::format("{}", fmt::join(names, ", ")));
+  }
   // If rays start at the point itself, one arrow is enough.
   std::optional<Vec2d> before;
   for (const PointMark& mark : marks) {

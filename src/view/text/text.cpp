@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <set>
 
@@ -111,24 +110,6 @@ std::string capitalised(std::string words) {
   if (words[0] == '\xC3' && words.size() > 1 && is_in(words[1], 0xA0, 0xBE) && words[1] != '\xB7')
     words[1] = static_cast<char>(words[1] + to_capital);
   return words;
-}
-
-std::string typeset_number(std::string digits, Language language) {
-  constexpr std::string_view minus = "\u2212";
-  std::replace(digits.begin(), digits.end(), '.', language.decimal_mark());
-  for (std::size_t at = 0; (at = digits.find('-', at)) != std::string::npos;) digits.replace(at, 1, minus);
-  return digits;
-}
-
-std::string typeset_power(std::string digits, Language language) {
-  const std::size_t at = digits.find('e');
-  if (at == std::string::npos) return typeset_number(std::move(digits), language);
-  static constexpr std::array<std::string_view, 10> raised{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-  const std::string power = std::to_string(std::stoi(digits.substr(at + 1)));
-  std::string all;
-  for (const char c : power) all += c == '-' ? std::string_view("⁻") : raised[static_cast<std::size_t>(c - '0')];
-  const std::string before = digits.substr(0, at);
-  return (before == "1" ? std::string() : typeset_number(before, language) + " · ") + "10" + all;
 }
 
 std::string number_text(double value, Language language) { return typeset_power(digits_of(value), language); }

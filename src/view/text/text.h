@@ -24,10 +24,6 @@ namespace raywalk {
 [[nodiscard]] std::string capitalised(std::string words);
 
 // Numbers in the format of the language.
-/// Printed digits: with the language's decimal separator and a true minus sign.
-[[nodiscard]] std::string typeset_number(std::string digits, Language language);
-/// The same of digits as fmt writes them, with an exponent as a power of ten: "1.5e-42" becomes 1.5 · 10⁻⁴².
-[[nodiscard]] std::string typeset_power(std::string digits, Language language);
 [[nodiscard]] std::string number_text(double value, Language language);  ///< 3 significant digits, no trailing zeros
 /// "45%", "0.2%"; with one more digit "45.1%", "0.23%".
 [[nodiscard]] std::string percent_text(double share, Language language, int more_digits = 0);
