@@ -154,8 +154,8 @@ void Browser::kinds(const Ui& ui) {
         return {"export.slides", "export.slides_hint"};
       case ExportKind::picture:
         return {"export.picture", "export.picture_hint"};
-      case ExportKind::film:
-        return {"export.film", "export.film_hint"};
+      case ExportKind::animation:
+        return {"export.animation", "export.animation_hint"};
       case ExportKind::plan:
         return {"export.plan", "export.plan_hint"};
       case ExportKind::transcript:

@@ -1,8 +1,8 @@
 #include "gui/loop.h"
 
+#include "gui/animation.h"
 #include "gui/command.h"
 #include "gui/fallback_fonts.h"
-#include "gui/film.h"
 #include "gui/interface.h"
 #include "gui/live_costs.h"
 #include "gui/loading.h"
@@ -164,14 +164,14 @@ class Loop::Parts {
     if (!options_.demo_path.empty()) note_failure(action);
   }
 
-  // A film in the making would show what is done meanwhile: it ends here.
+  // An animation in the making would show what is done meanwhile: it ends here.
   void act_from_outside(const Action& action) {
-    if (film_) finish_film();
+    if (animation_) finish_animation();
     act(action);
   }
 
   Result<void> act_by_outline(std::string_view does, std::string_view typed) {
-    if (film_) finish_film();
+    if (animation_) finish_animation();
     if (does == choosing_files) {
       platform::choose_files();
       act(action::CancelPrompt{});
@@ -293,8 +293,8 @@ class Loop::Parts {
   // One key press holds STEP once: if a breakpoint ends that, the key must be released first.
   void press(const KeyPress& key) {
     if (broken_ || (key.repeated && key_holds_)) return;
-    if (film_) {
-      if (key.key == "Escape") finish_film();
+    if (animation_) {
+      if (key.key == "Escape") finish_animation();
       return;
     }
     interface_.press(state_, fonts_, unit(), dpi(), key);
@@ -396,29 +396,29 @@ class Loop::Parts {
     if (!notes_->show(state_)) act(action::ShowNotesWindow{false});
   }
 
-  // A picture is taken once all its contents are complete; a film advances by one frame between polls of events.
+  // A picture is taken once all its contents are complete; an animation advances by one frame between polls of events.
   void work_on_export() {
     if (!state_.exports.window || frames_due_ > 0) return;
-    if (!film_ && !(image_.rests(state_) && costs_.rests(state_) && !waits_for_structures())) return;
+    if (!animation_ && !(image_.rests(state_) && costs_.rests(state_) && !waits_for_structures())) return;
     Image picture;
     if (state_.exports.window->kind == ExportKind::picture) {
       frame(&picture);
       const auto written = write_image(state_.exports.window->path, picture);
       return act(action::FinishExport{written ? "" : written.error().text()});
     }
-    if (!film_) film_.emplace(state_);
-    act(action::Jump{film_->position()});
+    if (!animation_) animation_.emplace(state_);
+    act(action::Jump{animation_->position()});
     work_on_structures();
     if (waits_for_structures()) return;
     frame(nullptr, false);
     frame(&picture);
-    if (!film_->take(picture)) finish_film();
+    if (!animation_->take(picture)) finish_animation();
   }
 
-  void finish_film() {
-    const int back = film_->begun_at();
-    const Result<void> written = film_->write(state_.exports.window->path);
-    film_.reset();
+  void finish_animation() {
+    const int back = animation_->begun_at();
+    const Result<void> written = animation_->write(state_.exports.window->path);
+    animation_.reset();
     act(action::Jump{back});
     act(action::FinishExport{written ? "" : written.error().text()});
   }
@@ -467,11 +467,11 @@ class Loop::Parts {
     }
     if (frames_drawn_++ == 0) first_frame_ = seconds_between(begun_, Clock::now());
     apply();
-    // A film's progress is shown outside of the picture.
+    // An animation's progress is shown outside of the picture.
     std::string title = document_title(state_);
-    if (film_)
-      title = fill("export.film_progress", state_.appearance.language,
-                   {{"frame", film_->taken() + 1}, {"frames", film_->frames()}});
+    if (animation_)
+      title = fill("export.animation_progress", state_.appearance.language,
+                   {{"frame", animation_->taken() + 1}, {"frames", animation_->frames()}});
     if (title += " \u2013 Raywalk"; title != title_) {
       window_.set_title(title);
       title_ = title;
@@ -511,7 +511,7 @@ class Loop::Parts {
   Attention& attention_;
   Interface interface_;
   Demo demo_;
-  std::optional<WalkFilm> film_;  ///< in progress
+  std::optional<WalkAnimation> animation_;  ///< in progress
   LiveImage image_;
   LiveCosts costs_;
   StructureWorkers structures_{platform::workers()};

@@ -34,7 +34,7 @@ struct FrameRect {
 
 }  // namespace
 
-class GifFilm::Encoder {
+class GifAnimation::Encoder {
  public:
   explicit Encoder(ImageSize size) : size_(size) {
     int error = 0;
@@ -87,7 +87,7 @@ class GifFilm::Encoder {
   Result<std::string> finish() {
     close();
     if (!error_.empty())
-      return tl::unexpected(Error{"", 0, 0, "the film cannot be made: " + error_, "choose a smaller window"});
+      return tl::unexpected(Error{"", 0, 0, "the animation cannot be made: " + error_, "choose a smaller window"});
     return std::move(bytes_);
   }
 
@@ -155,9 +155,9 @@ class GifFilm::Encoder {
   GifFileType* file_ = nullptr;
 };
 
-GifFilm::GifFilm(ImageSize size) : encoder_(std::make_unique<Encoder>(size)) {}
-GifFilm::~GifFilm() = default;
-void GifFilm::add(const std::vector<std::uint8_t>& rgb, double seconds) { encoder_->add(rgb, seconds); }
-Result<std::string> GifFilm::finish() { return encoder_->finish(); }
+GifAnimation::GifAnimation(ImageSize size) : encoder_(std::make_unique<Encoder>(size)) {}
+GifAnimation::~GifAnimation() = default;
+void GifAnimation::add(const std::vector<std::uint8_t>& rgb, double seconds) { encoder_->add(rgb, seconds); }
+Result<std::string> GifAnimation::finish() { return encoder_->finish(); }
 
 }  // namespace raywalk

@@ -11,13 +11,13 @@
 namespace raywalk {
 
 /// Takes the frames of an animation in order and keeps only what has changed in each. It loops endlessly.
-class GifFilm {
+class GifAnimation {
  public:
   /// 1 to 65535 pixels per side.
-  explicit GifFilm(ImageSize size);
-  ~GifFilm();
-  GifFilm(const GifFilm&) = delete;
-  GifFilm& operator=(const GifFilm&) = delete;
+  explicit GifAnimation(ImageSize size);
+  ~GifAnimation();
+  GifAnimation(const GifAnimation&) = delete;
+  GifAnimation& operator=(const GifAnimation&) = delete;
 
   /// `rgb`: three bytes per pixel, encoded for display, row by row from the top. `seconds`: its duration.
   void add(const std::vector<std::uint8_t>& rgb, double seconds);

@@ -202,17 +202,17 @@ TEST_CASE("exports of the window: exact, without a trace of the pointer, and the
   // The pointer rests on a sphere, whose name then stands beside it.
   REQUIRE(raywalk.until([&](const Json&) { return std::filesystem::exists(file("begin.png")); }, 120));
   raywalk.move_to(525, 200);
-  // The film leaves the walk where it was; the demo then leads back to the start.
+  // The animation leaves the walk where it was; the demo then leads back to the start.
   REQUIRE(raywalk.until(
       [&](const Json& report) { return std::filesystem::exists(file("end.png")) && report["position"] == 0; }, 120));
   CHECK(contents("begin.png") == contents("pointed.png"));
-  const Read film = played(contents("walk.gif"));
-  REQUIRE(film.frames.size() >= 3);
+  const Read animation = played(contents("walk.gif"));
+  REQUIRE(animation.frames.size() >= 3);
   for (const auto& [frame, picture] :
-       {std::pair(&film.frames.front(), "begin.png"), std::pair(&film.frames.back(), "end.png")}) {
+       {std::pair(&animation.frames.front(), "begin.png"), std::pair(&animation.frames.back(), "end.png")}) {
     CAPTURE(picture);
-    const Errors near = errors(pixels(picture), frame->rgb, film.width, 1),
-                 far = errors(pixels(picture), frame->rgb, film.width, 4);
+    const Errors near = errors(pixels(picture), frame->rgb, animation.width, 1),
+                 far = errors(pixels(picture), frame->rgb, animation.width, 4);
     CAPTURE(near.mean, near.ninety_ninth, far.mean, far.ninety_ninth);
     CHECK(near.mean < 0.003);
     CHECK(near.ninety_ninth < 0.04);

@@ -68,13 +68,13 @@ Bytes window(int sentence) {
 
 }  // namespace
 
-TEST_CASE("a film shows its frames in order, each for its time, and repeats") {
-  GifFilm film({40, 30});
-  film.add(drawing(2), 0.25);
-  film.add(drawing(5), 0.5);
-  film.add(drawing(5), 1);  // nothing changes
-  film.add(drawing(30), 2);
-  const auto bytes = film.finish();
+TEST_CASE("an animation shows its frames in order, each for its time, and repeats") {
+  GifAnimation animation({40, 30});
+  animation.add(drawing(2), 0.25);
+  animation.add(drawing(5), 0.5);
+  animation.add(drawing(5), 1);  // nothing changes
+  animation.add(drawing(30), 2);
+  const auto bytes = animation.finish();
   REQUIRE(bytes);
   CHECK(bytes->substr(0, 6) == "GIF89a");
   CHECK(bytes->find("NETSCAPE2.0") != std::string::npos);
@@ -96,9 +96,9 @@ TEST_CASE("a film shows its frames in order, each for its time, and repeats") {
 
 TEST_CASE("a window of many colours looks as it did, and nothing stays of what is gone") {
   const int sentences[] = {1, 2, 2, 3, 0};
-  GifFilm film({320, 200});
-  for (const int sentence : sentences) film.add(window(sentence), 0.1);
-  const auto bytes = film.finish();
+  GifAnimation animation({320, 200});
+  for (const int sentence : sentences) animation.add(window(sentence), 0.1);
+  const auto bytes = animation.finish();
   REQUIRE(bytes);
   const Read read = played(*bytes);
   REQUIRE(read.frames.size() == std::size(sentences));
@@ -150,10 +150,10 @@ TEST_CASE("a frame of many colours comes close, one of another size is left out"
   for (int i = 0; i < 64 * 64; ++i)
     smooth.insert(smooth.end(),
                   {static_cast<std::uint8_t>(4 * (i % 64)), static_cast<std::uint8_t>(4 * (i / 64)), 128});
-  GifFilm film({64, 64});
-  film.add(smooth, 0.1);
-  film.add(Bytes(12), 0.1);
-  const auto bytes = film.finish();
+  GifAnimation animation({64, 64});
+  animation.add(smooth, 0.1);
+  animation.add(Bytes(12), 0.1);
+  const auto bytes = animation.finish();
   REQUIRE(bytes);
   const Read read = played(*bytes);
   REQUIRE(read.frames.size() == 1);

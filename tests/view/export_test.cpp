@@ -90,7 +90,7 @@ TEST_CASE("the script of the open lesson is written, and without one it is said 
   CHECK(with_ending("a/notes.pdf", ExportKind::script) == "a/notes.script.html");
   CHECK(with_ending("a.b/notes", ExportKind::slides) == "a.b/notes.html");
   // What follows a point in a name is not always an ending.
-  CHECK(with_ending("a/1. Casting", ExportKind::film) == "a/1. Casting.gif");
+  CHECK(with_ending("a/1. Casting", ExportKind::animation) == "a/1. Casting.gif");
   CHECK(with_ending("lesson 2.5", ExportKind::plan) == "lesson 2.5.svg");
   update(state, action::Export{path});
   REQUIRE(state.document.notice);
@@ -198,30 +198,30 @@ TEST_CASE("what shows the window waits for it") {
   CHECK(state.document.notice->kind == Notice::Kind::error);
   update(state, action::Export{folder.file("a.gif")});
   REQUIRE(state.exports.window);
-  CHECK(state.exports.window->kind == ExportKind::film);
+  CHECK(state.exports.window->kind == ExportKind::animation);
   update(state, action::FinishExport{});
   CHECK(state.document.notice->kind == Notice::Kind::info);
 }
 
-TEST_CASE("a film goes to the end of the pixel, or of the walk, as fast as the grain says") {
+TEST_CASE("an animation goes to the end of the pixel, or of the walk, as fast as the grain says") {
   State state = walked();
   const int pixel = state.walk.timeline->current_pixel(100);
   const int end = state.walk.timeline->pixels()[static_cast<std::size_t>(pixel)].done_at;
-  const std::vector<int> lines = film_positions(state);
+  const std::vector<int> lines = animation_positions(state);
   REQUIRE(lines.size() == static_cast<std::size_t>(end - 100 + 1));
   for (std::size_t i = 0; i < lines.size(); ++i) CHECK(lines[i] == 100 + static_cast<int>(i));
   update(state, action::SetGrain{Grain::ray});
-  const std::vector<int> rays = film_positions(state);
+  const std::vector<int> rays = animation_positions(state);
   CHECK(rays.size() < lines.size());
   CHECK(rays.front() == 100);
   CHECK(rays.back() == end);
   update(state, action::SetGrain{Grain::pixel});
   update(state, action::Jump{0});
-  const std::vector<int> pixels = film_positions(state);
+  const std::vector<int> pixels = animation_positions(state);
   CHECK(pixels.size() == state.walk.timeline->pixels().size() + 1);
   CHECK(pixels.back() == state.walk.timeline->steps());
   update(state, action::Jump{state.walk.timeline->steps()});
-  CHECK(film_positions(state) == std::vector{state.walk.timeline->steps()});
+  CHECK(animation_positions(state) == std::vector{state.walk.timeline->steps()});
 }
 
 TEST_CASE("slides of a shipped scene have its title in the language of the window") {

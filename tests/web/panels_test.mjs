@@ -47,7 +47,7 @@ async function export_by_mouse(visit, ending) {
   }
 }
 
-test('a walk is exported as numbers, words, drawing, picture, film and page, each downloaded whole', async () => {
+test('a walk is exported as numbers, words, drawing, picture, animation and page, each downloaded whole', async () => {
   const visit = await Visit.begin(browser, server.address, {}, '&language=en#v=1/scene=classic/step=40/mode=trace');
   await visit.saves_into(downloads);
   const { steps, window: { width, height } } = await visit.until((now) => now.position === 40);

@@ -153,8 +153,8 @@ void keep_ink(State& state, bool kept) {
 
 namespace {
 
-/// Without what the window shows anyway: which object it is, and the rule of the format.
-std::string in_window(std::string message) {
+/// The message of a file for the window: without what that shows anyway, which object it is and the rule of the format.
+std::string without_place_and_rule(std::string message) {
   const std::size_t of = message.find(" of [["), colon = message.find(": ", of == std::string::npos ? 0 : of);
   if (of != std::string::npos && colon != std::string::npos) message.erase(of, colon - of);
   if (const std::size_t rule = message.find(" (expected "); rule != std::string::npos) message.erase(rule);
@@ -171,7 +171,7 @@ std::string why_refused(const Scene& scene, int object, int light) {
   if (object >= 0) part.objects.push_back(scene.objects[static_cast<std::size_t>(object)]);
   if (light >= 0) part.lights.push_back(scene.lights[static_cast<std::size_t>(light)]);
   const Result<std::string> written = format_scene(part);
-  return written ? std::string() : in_window(written.error().message);
+  return written ? std::string() : without_place_and_rule(written.error().message);
 }
 
 bool commit_if_valid(State& state, Scene next, int object, int light, EditMark mark, bool continues) {

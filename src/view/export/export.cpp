@@ -71,7 +71,7 @@ Result<std::string> exported(const State& state, ExportKind kind) {
         return tl::unexpected(Error{"", 0, 0, std::string(text("lesson.no_lesson", state.appearance.language)), ""});
       return lesson_script(state.lessons.open->played, state.appearance.language, ScriptForm::page);
     case ExportKind::picture:
-    case ExportKind::film:
+    case ExportKind::animation:
       break;
   }
   return std::string();
@@ -102,7 +102,7 @@ std::size_t foreign_ending(const std::string& path) {
 void export_over(State& state, const std::string& path) {
   action::FinishInk{}.apply(state);  // an export has what is seen
   const ExportKind kind = *export_kind_of(path);
-  if (kind == ExportKind::picture || kind == ExportKind::film) {
+  if (kind == ExportKind::picture || kind == ExportKind::animation) {
     // The window without the dialog and without hover effects.
     state.document.prompt = PathPrompt::none;
     state.document.notice.reset();
@@ -110,7 +110,7 @@ void export_over(State& state, const std::string& path) {
     state.plan.pointer.reset();
     state.plan.hovered_line.reset();
     hover(state);
-    if (kind == ExportKind::film) state.walk.mode = Mode::trace;
+    if (kind == ExportKind::animation) state.walk.mode = Mode::trace;
     state.exports.window = WindowExport{kind, path};
     return;
   }
@@ -142,7 +142,7 @@ std::string with_ending(const std::string& path, ExportKind kind) {
   return stem + ending;
 }
 
-std::vector<int> film_positions(const State& state) {
+std::vector<int> animation_positions(const State& state) {
   const Timeline& timeline = *state.walk.timeline;
   const bool whole = state.walk.grain == Grain::pixel;
   const int last = whole ? timeline.steps() : timeline.next_pixel(state.walk.position);

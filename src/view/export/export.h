@@ -20,7 +20,7 @@ struct State;
 
 enum class ExportKind {
   picture,     ///< .png: the window
-  film,        ///< .gif: the window, one frame per step
+  animation,   ///< .gif: the window, one frame per step
   plan,        ///< .svg: the plan
   slides,      ///< .html: a page that steps offline
   transcript,  ///< .txt
@@ -33,7 +33,7 @@ struct ExportEnding {
 };
 inline constexpr std::array<ExportEnding, 7> kinds_of_export{{{".html", ExportKind::slides},
                                                               {".png", ExportKind::picture},
-                                                              {".gif", ExportKind::film},
+                                                              {".gif", ExportKind::animation},
                                                               {".svg", ExportKind::plan},
                                                               {".txt", ExportKind::transcript},
                                                               {".json", ExportKind::steps},
@@ -45,15 +45,15 @@ inline constexpr std::array<ExportEnding, 7> kinds_of_export{{{".html", ExportKi
 
 /// A pending export that only the window can write.
 struct WindowExport {
-  ExportKind kind;  ///< picture or film
+  ExportKind kind;  ///< picture or animation
   std::string path;
   friend bool operator==(const WindowExport&, const WindowExport&) = default;
 };
 
-/// The positions of a film: from here to the end of the current pixel, by lines or rays according to the grain; with
-/// grain pixel to the end of the walk. At most `max_frames`, always including the last.
+/// The positions of an animation: from here to the end of the current pixel, by lines or rays according to the grain;
+/// with grain pixel to the end of the walk. At most `max_frames`, always including the last.
 inline constexpr int max_frames = 500;
-[[nodiscard]] std::vector<int> film_positions(const State& state);
+[[nodiscard]] std::vector<int> animation_positions(const State& state);
 
 /// All steps as one JSON object, `head` first. Printed in parts: a strip's may be hundreds of megabytes. Stops when
 /// `print` fails.

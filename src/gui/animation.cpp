@@ -1,4 +1,4 @@
-#include "gui/film.h"
+#include "gui/animation.h"
 
 #include "text/file.h"
 #include "view/export/export.h"
@@ -7,15 +7,15 @@
 
 namespace raywalk {
 
-WalkFilm::WalkFilm(const State& state)
-    : positions_(film_positions(state)), seconds_(std::clamp(1 / state.walk.lines_per_second, 0.05, 2.0)) {}
+WalkAnimation::WalkAnimation(const State& state)
+    : positions_(animation_positions(state)), seconds_(std::clamp(1 / state.walk.lines_per_second, 0.05, 2.0)) {}
 
-bool WalkFilm::take(const Image& window) {
+bool WalkAnimation::take(const Image& window) {
   constexpr double last_seconds = 2;
   const ImageSize size{window.width, window.height};
   if (!gif_) {
     size_ = size;
-    gif_ = std::make_unique<GifFilm>(size);
+    gif_ = std::make_unique<GifAnimation>(size);
   }
   if (size.width != size_.width || size.height != size_.height) return false;
   const bool more = ++next_ < positions_.size();
@@ -23,7 +23,7 @@ bool WalkFilm::take(const Image& window) {
   return more;
 }
 
-Result<void> WalkFilm::write(const std::string& path) {
+Result<void> WalkAnimation::write(const std::string& path) {
   if (!gif_) return {};
   const Result<std::string> bytes = gif_->finish();
   if (!bytes) return tl::unexpected(bytes.error());

@@ -1,5 +1,5 @@
 #pragma once
-// A film of the window for WindowExport, frame by frame.
+// An animation of the window for WindowExport, frame by frame.
 
 #include "image/gif.h"
 #include "view/state.h"
@@ -10,17 +10,17 @@
 
 namespace raywalk {
 
-class WalkFilm {
+class WalkAnimation {
  public:
-  /// Of the walk from here: film_positions of view/export/export.h, at the speed of AUTO.
-  explicit WalkFilm(const State& state);
+  /// Of the walk from here: animation_positions of view/export/export.h, at the speed of AUTO.
+  explicit WalkAnimation(const State& state);
 
   /// The position of the next frame.
   [[nodiscard]] int position() const { return positions_[next_]; }
   [[nodiscard]] std::size_t taken() const { return next_; }
   [[nodiscard]] std::size_t frames() const { return positions_.size(); }
   [[nodiscard]] int begun_at() const { return positions_.front(); }
-  /// Takes the window at position(). Returns whether another frame follows; a window of another size ends the film.
+  /// Takes the window at position(). Returns whether another frame follows; a window of another size ends the animation.
   bool take(const Image& window);
   /// Writes the frames taken so far.
   [[nodiscard]] Result<void> write(const std::string& path);
@@ -30,7 +30,7 @@ class WalkFilm {
   std::size_t next_ = 0;
   double seconds_;  ///< of a frame
   ImageSize size_{0, 0};
-  std::unique_ptr<GifFilm> gif_;
+  std::unique_ptr<GifAnimation> gif_;
 };
 
 }  // namespace raywalk
