@@ -20,7 +20,8 @@ class WalkAnimation {
   [[nodiscard]] std::size_t taken() const { return next_; }
   [[nodiscard]] std::size_t frames() const { return positions_.size(); }
   [[nodiscard]] int begun_at() const { return positions_.front(); }
-  /// Takes the window at position(). Returns whether another frame follows; a window of another size ends the animation.
+  /// Takes the window at position(). Returns whether another frame follows; a window of another size ends the
+  /// animation.
   bool take(const Image& window);
   /// Writes the frames taken so far.
   [[nodiscard]] Result<void> write(const std::string& path);

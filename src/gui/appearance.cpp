@@ -31,6 +31,7 @@ std::string language_label(const State& state, bool in_short) {
 bool panes_exchanged(const State& state) {
   // An upright window has less room in the plan's place than beside or below the code.
   const ImVec2 window = ImGui::GetIO().DisplaySize;
+  if (state.focus.shows_tab()) return true;
   return exchanged_by_hand(state) != (has_plans_place(state) && !is_upright(window.x, window.y));
 }
 
@@ -54,7 +55,7 @@ Commands AppearanceRoom::commands() {
        .enabled = [](const State& state) { return state.appearance.language.code() != "en"; },
        .chosen = [](const State& state) { return state.appearance.english_code; }, .turn = turn<action::SetEnglishCode>},
       {.name = "exchange", .keys = {"X"}, .section = Section::window,
-       .chosen = [](const State& state) { return exchanged_by_hand(state) != has_plans_place(state); },
+       .chosen = [](const State& state) { return state.focus.shows_tab() || exchanged_by_hand(state) != has_plans_place(state); },
        .run = act<action::ExchangePanes>},
       {.name = "menu", .keys = {"F10"}, .line = "keys.menus", .run = wish<WindowWish::menu>},
       {.name = "full-screen", .keys = {"F11"}, .section = Section::window, .line = "keys.menus",

@@ -151,12 +151,14 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   // Heights that depend on a width, which does not depend on them. The strip is as high in Move, too: the plan stays.
   wishes.transport = transport_height(with, lay_out(wishes).plan.width);
   if (!helps) wishes.strip = legend_height(with, lay_out(wishes).strip.width);
+  if (const Layout before = lay_out(wishes); !embedded && (before.fronts.empty() || wishes.front == Front::tabs))
+    wishes.choice = tab_choice_height(with, (before.tabs.empty() ? before.plan : before.tabs).width);
   wishes.help = helps;
   wishes.exchanged = panes_exchanged(state);
   wishes.enlarged = lesson_enlarges(state);
   wishes.large_tab = state.appearance.tab.large;
   layout_ = lay_out(wishes);
-  const bool folds = wishes.focus, tab_alone = !layout_.fronts.empty() && wishes.front == Front::lesson;
+  const bool folds = wishes.focus;
 
   if (folds && !asks && state.lessons.shown)
     folded_pane(with, "folded-lesson", layout_.lesson);
@@ -212,8 +214,9 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   } else {
     code_pane(with, layout_.side);
   }
+  tab_choice(with, layout_.choice);
   if (!embedded && (!folds || !layout_.tabs.empty()))
-    tabs_.draw(with, layout_.tabs, tab_alone, picture, std::exchange(open_settings_, false),
+    tabs_.draw(with, layout_.tabs, layout_.choice, picture, std::exchange(open_settings_, false),
                std::exchange(open_knobs_, false));
   divider_pane(with, layout_);
   breakpoints_.draw(with, layout_.side, std::exchange(open_breakpoints_, false));

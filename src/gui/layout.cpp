@@ -134,6 +134,15 @@ Layout lay_out_wide(const LayoutWishes& wishes) {
   return layout;
 }
 
+// Which tab is shown, above it.
+void set_choice(const LayoutWishes& wishes, Layout& layout) {
+  if (layout.tabs.empty()) return;
+  const float height = take(layout.tabs.height * 0.5f, wishes.choice);
+  layout.choice = {layout.tabs.x, layout.tabs.y, layout.tabs.width, height};
+  layout.tabs.y += height;
+  layout.tabs.height -= height;
+}
+
 // In one column the lesson stands where the tabs would: what it is about has the plan's place.
 void show_beside_lesson(Layout& layout) {
   layout.tabs = {layout.plan.x, layout.plan.y, layout.plan.width, layout.strip.bottom() - layout.plan.y};
@@ -184,13 +193,16 @@ Layout lay_out(const LayoutWishes& wishes) {
   }
   if (wishes.focus) {  // what has the plan's place keeps it
     if (wishes.exchanged) layout.tabs = std::exchange(layout.plan, {});
+    set_choice(wishes, layout);
     return layout;
   }
-  if (wishes.exchanged && !layout.tabs.empty()) std::swap(layout.plan, layout.tabs);
-  if (one_column && wishes.front == Front::lesson && wishes.enlarged) show_beside_lesson(layout);
   const bool fills = upright && one_column && wishes.large_tab && !wishes.exchanged;
   if (fills && !layout.tabs.empty() && wishes.front == Front::tabs && wishes.band == 0 && wishes.effects == 0)
     fill_with_tabs(wishes.height, layout);
+  // The choice stays under the hand that exchanges the two.
+  set_choice(wishes, layout);
+  if (wishes.exchanged && !layout.tabs.empty()) std::swap(layout.plan, layout.tabs);
+  if (one_column && wishes.front == Front::lesson && wishes.enlarged) show_beside_lesson(layout);
   return layout;
 }
 

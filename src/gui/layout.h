@@ -27,6 +27,7 @@ struct Layout {
   Rect transport;  ///< the step's sentence, buttons and scrub bar
   Rect side;       ///< the code, or the properties of the selection
   Rect tabs;       ///< 3-D image, ray tree, stack, legend: below the code
+  Rect choice;     ///< which of them is shown: above them, and there too while they have the plan's place
   Rect help;       ///< in the plan's place and the strip's, while help is shown
   Rect folded;     ///< in place of both, while the plan is in focus
   Rect divider;    ///< between code and tabs where one is below the other, and the height of both can be chosen
@@ -44,6 +45,7 @@ struct LayoutWishes {
   float strip = 0;                   ///< height wanted by the kinds of rays, if more than the usual one
   float band = 0;                    ///< height wanted by the band; 0: it is not shown
   float effects = 0;                 ///< height wanted by the switches for effects; 0: they are not shown
+  float choice = 0;                  ///< height wanted by the choice of tabs
   bool focus = false;                ///< code and tabs are folded to an edge
   Front front = Front::code;         ///< in one column; not the lesson unless it is shown
   bool bare = false;                 ///< neither bar nor strip nor tabs

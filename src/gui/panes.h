@@ -164,12 +164,16 @@ struct TabContext {
 /// Whether the open tab has the plan's place, and the plan the tab's.
 [[nodiscard]] bool panes_exchanged(const State& state);
 
-/// The tabs' headings and the one that is open.
+/// Which tab is shown, and whether in the plan's place.
+void tab_choice(const Ui& ui, const Rect& where);
+[[nodiscard]] float tab_choice_height(const Ui& ui, float width);
+
+/// What the open tab shows.
 class TabsPane {
  public:
-  /// `open_settings`: opens the picture's settings; `open_knobs`: the Cost panel's knobs.
-  /// `alone`: what is shown, without the choice of tabs.
-  void draw(const Ui& ui, const Rect& where, bool alone, const PictureView& picture, bool open_settings,
+  /// `choice`: where tabs are chosen. `open_settings`: opens the picture's settings; `open_knobs`: the Cost panel's
+  /// knobs.
+  void draw(const Ui& ui, const Rect& where, const Rect& choice, const PictureView& picture, bool open_settings,
             bool open_knobs);
 
  private:

@@ -49,30 +49,38 @@ void divider_pane(const Ui& ui, const Layout& layout) {
 
 namespace {
 
-// Which is shown; returns how high that is.
-float tab_choice(const Ui& ui, const Rect& where, float margin) {
-  const float height = ui.px(32);
-  ImGui::SetCursorScreenPos({where.x + margin, where.y + ui.px(7)});
-  const float tabs = choice_in_lines(ui, commands_in(Section::tabs), height, ui.fonts.small,
-                                     where.width - 2 * margin - height - ui.px(4));
-  ImGui::SetCursorScreenPos({where.right() - margin - height, where.y + ui.px(7)});
-  command_button(ui, command("exchange"), {height, height},
-                 {.look = Look::choice, .icon = Icon::exchange, .font = nullptr, .label = false}, {},
-                 panes_exchanged(ui.state));
-  return tabs;
-}
+constexpr float tab_height = 32, tab_margin = 10, tab_inset = 7;  // at scale 1
+
+// Of the tabs, beside the button that exchanges them and the plan.
+float tabs_width(const Ui& ui, float width) { return width - ui.px(2 * tab_margin + tab_height + 4); }
 
 }  // namespace
 
-void TabsPane::draw(const Ui& ui, const Rect& where, bool alone, const PictureView& picture, bool open_settings,
+float tab_choice_height(const Ui& ui, float width) {
+  return choice_height(ui, commands_in(Section::tabs), ui.px(tab_height), ui.fonts.small, tabs_width(ui, width)) +
+         ui.px(2 * tab_inset);
+}
+
+void tab_choice(const Ui& ui, const Rect& where) {
+  if (where.empty()) return;
+  const Pane pane(ui, "tab-choice", where, ui.colours.panel, {0, 0}, ImGuiWindowFlags_NoScrollbar);
+  if (!pane) return;
+  ImGui::GetWindowDrawList()->AddLine({where.x, where.y}, {where.right(), where.y},
+                                      to_imgui(Shades(ui.state.appearance.theme).line));
+  const float height = ui.px(tab_height), y = where.y + ui.px(tab_inset);
+  ImGui::SetCursorScreenPos({where.x + ui.px(tab_margin), y});
+  choice_in_lines(ui, commands_in(Section::tabs), height, ui.fonts.small, tabs_width(ui, where.width));
+  ImGui::SetCursorScreenPos({where.right() - ui.px(tab_margin) - height, y});
+  command_button(ui, command("exchange"), {height, height},
+                 {.look = Look::choice, .icon = Icon::exchange, .font = nullptr, .label = false}, {},
+                 panes_exchanged(ui.state));
+}
+
+void TabsPane::draw(const Ui& ui, const Rect& where, const Rect& choice, const PictureView& picture, bool open_settings,
                     bool open_knobs) {
   const Pane pane(ui, "tabs", where, ui.colours.panel, {0, 0}, ImGuiWindowFlags_NoScrollbar);
   if (!pane) return;
-  const float margin = ui.px(10);
-  ImGui::GetWindowDrawList()->AddLine({where.x, where.y}, {where.right(), where.y},
-                                      to_imgui(Shades(ui.state.appearance.theme).line));
-  const float tabs = alone ? 0.0f : tab_choice(ui, where, margin);
-  const float top = where.y + tabs + ui.px(14);
+  const float margin = ui.px(tab_margin), top = where.y + (choice.bottom() == where.y ? 0 : margin);
   const Rect inside{where.x + margin, top, where.width - 2 * margin, where.bottom() - top - ui.px(4)};
   int pointed_at = -1;
   if (inside.width > 1 && inside.height > 1) {

@@ -263,7 +263,7 @@ int ray_tree(const Ui& ui, const Rect& where, int& centred_on) {
       const ImVec2 at = place(node);
       const std::string name = "node-" + std::to_string(node.ray);
       ImGui::SetCursorScreenPos({at.x - r, at.y - r});
-      if (ImGui::InvisibleButton(name.c_str(), {2 * r, 2 * r}) && !node.future) ui.act(action::JumpToRay{node.ray});
+      if (ImGui::InvisibleButton(name.c_str(), {2 * r, 2 * r})) ui.act(action::JumpToRay{node.ray});
       if (ImGui::IsItemHovered()) {
         pointed_at = node.ray;
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);

@@ -296,9 +296,18 @@ void choice(const Ui& ui, const std::vector<const Command*>& commands, float hei
   }
 }
 
-float choice_in_lines(const Ui& ui, const std::vector<const Command*>& commands, float line_height, ImFont* font,
-                      float width) {
-  const ButtonLook look{.look = Look::choice, .icon = Icon::none, .font = font, .label = true};
+namespace {
+
+// Buttons of a choice in lines, each with its width; one line is as high as asked for, several are lower.
+struct ChoiceLines {
+  std::vector<std::vector<std::pair<const Command*, float>>> lines;
+  bool in_short = false;
+  float line_height = 0;
+  [[nodiscard]] float height() const { return line_height * static_cast<float>(lines.size()); }
+};
+
+ChoiceLines choice_lines(const Ui& ui, const std::vector<const Command*>& commands, float line_height,
+                         const ButtonLook& look, float width) {
   // The padding that short words can lose on either side.
   const float spare = 2 * ui.px(7) * static_cast<float>(commands.size());
   const auto sum = [&](bool in_short) {
@@ -306,15 +315,10 @@ float choice_in_lines(const Ui& ui, const std::vector<const Command*>& commands,
     for (const Command* each : commands) all += button_width(ui, command_label(*each, ui.state, in_short), look);
     return all;
   };
-  if (sum(true) - spare <= width) {
-    choice(ui, commands, line_height, font, width);
-    return line_height;
-  }
-  const ImVec2 least = ImGui::GetCursorScreenPos();
+  if (sum(true) - spare <= width) return {{{}}, true, line_height};
   const float low = line_height * 0.8f;
-  using ButtonLines = std::vector<std::vector<std::pair<const Command*, float>>>;
   const auto broken = [&](bool in_short, float room) {
-    ButtonLines lines(1);
+    decltype(ChoiceLines::lines) lines(1);
     float used = 0;
     for (const Command* each : commands) {
       const float own = button_width(ui, command_label(*each, ui.state, in_short), look) - 2 * ui.px(5);
@@ -329,29 +333,48 @@ float choice_in_lines(const Ui& ui, const std::vector<const Command*>& commands,
   };
   const bool in_short = broken(true, width).size() < broken(false, width).size();
   // As many lines, and none much shorter than the others.
-  ButtonLines lines = broken(in_short, width);
+  auto lines = broken(in_short, width);
   for (float room = width - ui.px(8); room > width / 2; room -= ui.px(8)) {
-    ButtonLines even = broken(in_short, room);
+    auto even = broken(in_short, room);
     if (even.size() > lines.size()) break;
     lines = std::move(even);
   }
-  const float height = low * static_cast<float>(lines.size());
+  return {std::move(lines), in_short, low};
+}
+
+ButtonLook look_of_choice(ImFont* font) {
+  return {.look = Look::choice, .icon = Icon::none, .font = font, .label = true};
+}
+
+}  // namespace
+
+float choice_height(const Ui& ui, const std::vector<const Command*>& commands, float line_height, ImFont* font,
+                    float width) {
+  return choice_lines(ui, commands, line_height, look_of_choice(font), width).height();
+}
+
+void choice_in_lines(const Ui& ui, const std::vector<const Command*>& commands, float line_height, ImFont* font,
+                     float width) {
+  const ButtonLook look = look_of_choice(font);
+  const ChoiceLines broken = choice_lines(ui, commands, line_height, look, width);
+  if (broken.lines.size() == 1) return choice(ui, commands, line_height, font, width);
+  const ImVec2 least = ImGui::GetCursorScreenPos();
+  const float height = broken.height(), low = broken.line_height;
   ImGui::GetWindowDrawList()->AddRectFilled(least, {least.x + width, least.y + height},
                                             to_imgui(Shades(ui.state.appearance.theme).raised),
                                             ImGui::GetStyle().FrameRounding);
   float y = least.y;
-  for (const auto& line : lines) {
+  for (const auto& line : broken.lines) {
     float taken = 0, x = least.x;
     for (const auto& [each, own] : line) taken += own;
     const float more = std::max(width - taken, 0.0f) / static_cast<float>(line.size());
     for (const auto& [each, own] : line) {
       ImGui::SetCursorScreenPos({x, y});
-      command_button(ui, *each, {own + more, low}, look, command_label(*each, ui.state, in_short));
+      command_button(ui, *each, {own + more, low}, look, command_label(*each, ui.state, broken.in_short));
       x += own + more;
     }
     y += low;
   }
-  return height;
 }
 
 std::optional<float> slider(const Ui& ui, const char* name, ImVec2 extent, float fraction, const std::string& inside) {

@@ -69,9 +69,12 @@ bool button(const Ui& ui, std::string_view name, const std::string& label, const
 /// Buttons of which one is chosen, in one frame. They are as wide as their words, but together at most `max_width`.
 void choice(const Ui& ui, const std::vector<const Command*>& commands, float height, ImFont* font = nullptr,
             float max_width = 1e6f);
-/// The same in as many lines as needed, each over the whole `width`. Returns the total height.
-float choice_in_lines(const Ui& ui, const std::vector<const Command*>& commands, float line_height, ImFont* font,
-                      float width);
+/// The same in as many lines as needed, each over the whole `width`.
+void choice_in_lines(const Ui& ui, const std::vector<const Command*>& commands, float line_height, ImFont* font,
+                     float width);
+/// How high that is.
+[[nodiscard]] float choice_height(const Ui& ui, const std::vector<const Command*>& commands, float line_height,
+                                  ImFont* font, float width);
 
 /// Buttons from left to right, wrapped to further lines.
 class ButtonRow {

@@ -39,6 +39,7 @@ struct Tab {
   std::string_view word;
   bool scrolls = false;  ///< by itself, or not at all; else the pane scrolls
   bool large = false;    ///< opens in the plan's place, except in an upright window, until a person exchanges the two
+  bool in_plan = false;  ///< shows something in the plan, too
   friend bool operator==(const Tab&, const Tab&) = default;
 };
 

@@ -22,10 +22,11 @@ bool overlap(const Rect& a, const Rect& b) {
 
 // What is wrong with a layout; empty when nothing is.
 std::string faults(const Layout& layout, float width, float height) {
-  const std::array panes{layout.bar,    layout.lesson,    layout.plan, layout.effects, layout.band,   layout.strip,
-                         layout.corner, layout.transport, layout.side, layout.tabs,    layout.fronts, layout.folded};
-  const std::array names{"bar",    "lesson",    "plan", "effects", "band",   "strip",
-                         "corner", "transport", "side", "tabs",    "fronts", "folded"};
+  const std::array panes{layout.bar,    layout.lesson, layout.plan,      layout.effects, layout.band,
+                         layout.strip,  layout.corner, layout.transport, layout.side,    layout.tabs,
+                         layout.fronts, layout.folded, layout.choice};
+  const std::array names{"bar",       "lesson", "plan", "effects", "band",   "strip", "corner",
+                         "transport", "side",   "tabs", "fronts",  "folded", "choice"};
   std::string text;
   for (std::size_t i = 0; i < panes.size(); ++i) {
     const Rect& pane = panes[i];
@@ -51,6 +52,7 @@ TEST_CASE("no size of the window makes panes overlap or leave it") {
         raywalk::LayoutWishes wishes{width, height, unit, 150 * unit, 420 * unit, 300 * unit};
         CHECK(faults(raywalk::lay_out(wishes), width, height) == "");
         wishes.lesson = 330 * unit;
+        wishes.choice = 62 * unit;
         for (const auto front : {raywalk::Front::code, raywalk::Front::tabs, raywalk::Front::lesson}) {
           wishes.front = front;
           for (const bool focus : {false, true}) {
@@ -155,6 +157,23 @@ TEST_CASE("in focus, in an upright window, a question stands below the walk") {
   CHECK(layout.lesson.y > layout.transport.bottom());
   CHECK(layout.plan.height > 300);
   CHECK(layout.lesson.height > 300);
+}
+
+TEST_CASE("what chooses the tabs stays where it is when plan and tabs change places") {
+  for (const auto& [width, height] : {std::pair{1280.0f, 720.0f}, {1920.0f, 1080.0f}, {768.0f, 1024.0f}}) {
+    CAPTURE(width, height);
+    raywalk::LayoutWishes wishes{width, height, 1, 134, 413, 300};
+    wishes.choice = 62;
+    wishes.front = raywalk::Front::tabs;
+    const Layout before = raywalk::lay_out(wishes);
+    CHECK(before.choice.bottom() == before.tabs.y);
+    wishes.exchanged = true;
+    const Layout after = raywalk::lay_out(wishes);
+    CHECK(faults(after, width, height).empty());
+    CHECK(after.choice == before.choice);
+    CHECK(after.tabs == before.plan);
+    CHECK(after.plan == before.tabs);
+  }
 }
 
 TEST_CASE("what has the plan's place keeps it in focus") {

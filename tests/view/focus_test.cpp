@@ -83,3 +83,42 @@ TEST_CASE("Focus, which folds the fields of what is selected, tells their values
   REQUIRE(corner != texts.end());
   CHECK(sentence(state) == properties_title(state) + ": " + corner->label + " " + corner->value);
 }
+
+TEST_CASE("in Focus a panel's key shows it in the plan's place and again the plan, unless it speaks in the plan") {
+  State state = classic_state();
+  update(state, action::SetTab{PictureRoom::tab});
+  CHECK_FALSE(state.focus.shows_tab());
+  update(state, action::SetFocus{true});
+  CHECK_FALSE(state.focus.shows_tab());
+  update(state, action::SetTab{PictureRoom::tab});
+  CHECK(state.focus.shows_tab());
+  update(state, action::SetTab{TreeRoom::tab});
+  CHECK(state.focus.shows_tab());
+  update(state, action::SetTab{TreeRoom::tab});
+  CHECK_FALSE(state.focus.shows_tab());
+  update(state, action::SetTab{TreeRoom::tab});
+  update(state, action::ExchangePanes{});
+  CHECK_FALSE(state.focus.shows_tab());
+  for (const Tab tab : {EquationRoom::tab, StructureRoom::tab}) {
+    update(state, action::SetTab{tab});
+    CHECK_FALSE(state.focus.shows_tab());
+  }
+  update(state, action::SetTab{PictureRoom::tab});
+  update(state, action::SetFocus{false});
+  update(state, action::SetFocus{true});
+  CHECK_FALSE(state.focus.shows_tab());
+}
+
+TEST_CASE("the list of lessons, which Focus would fold away, ends it") {
+  State state = state_with_lessons();
+  update(state, action::ShowLessons{false});
+  update(state, action::SetFocus{true});
+  update(state, action::ShowLessons{true});
+  CHECK_FALSE(state.focus.on);
+  update(state, action::OpenLesson{"01-ray-casting"});
+  update(state, action::SetFocus{true});
+  update(state, action::GoToLessonStep{1});
+  CHECK(state.focus.on);
+  update(state, action::LeaveLesson{});
+  CHECK_FALSE(state.focus.on);
+}

@@ -2,6 +2,7 @@
 // what Move, where one may go at any time, must not tell.
 #include "lesson_state.h"
 #include "support/catch.h"
+#include "support/temporary_folder.h"
 #include "view/lesson/lesson_panel.h"
 #include "view/tree/tree_panel.h"
 
@@ -81,10 +82,84 @@ TEST_CASE("the walk is where it was after a pixel of the picture, and after a le
   update(state, action::WalkStrip{});
   CHECK_FALSE(state.walk.pixel);
   CHECK(state.walk.position == before);
+  // With what was chosen for the picture, and the tab.
+  update(state, action::SetTab{StackRoom::tab});
+  state.picture.settings.samples = 3;
   update(state, action::OpenLesson{"01-ray-casting"});
+  update(state, action::SetTab{TreeRoom::tab});
   update(state, action::LeaveLesson{});
   CHECK(state.walk.timeline->steps() == steps);
   CHECK(state.walk.position == before);
+  CHECK(state.appearance.tab == StackRoom::tab);
+  CHECK(state.picture.settings.samples == 3);
+}
+
+TEST_CASE("what was chosen for the picture of one step is not seen in the next") {
+  State state = state_with_lessons();
+  update(state, action::OpenLesson{"11-noise"});
+  for (const int step : {1, 2, 3}) {
+    ImageSettings chosen;
+    chosen.samples = 1;
+    chosen.heat = Heat::rays;
+    chosen.accelerator = AcceleratorKind::bvh;
+    update(state, action::SetImageSettings{chosen});
+    update(state, action::GoToLessonStep{step});
+    REQUIRE(state.lessons.step == step);
+    CHECK(state.picture.settings.samples == ImageSettings{}.samples);
+    CHECK(state.picture.settings.heat == Heat::none);
+    CHECK(state.picture.settings.accelerator == AcceleratorKind::bvh);
+  }
+}
+
+TEST_CASE("another sitting opens a lesson where it was left, a finished one too, and offers the last one") {
+  const TemporaryFolder folder;
+  const auto sitting = [&] {
+    State state = state_with_lessons();
+    state.lessons.list.clear();
+    state.document.state_dir = folder.path();
+    update(state, action::ListLessons{});
+    return state;
+  };
+  const std::string lesson = "05-refraction";
+  {
+    State state = sitting();
+    update(state, action::OpenLesson{lesson});
+    const int steps = static_cast<int>(state.lessons.open->played.steps.size());
+    update(state, action::GoToLessonStep{steps});
+    CHECK_FALSE(state.lessons.open);
+    CHECK(state.lessons.done[lesson] == steps);
+  }
+  {
+    State state = sitting();
+    update(state, action::OpenLesson{lesson});
+    CHECK(state.lessons.step == 0);  // it was finished
+    update(state, action::GoToLessonStep{3});
+    update(state, action::GoToLessonStep{2});
+  }
+  {
+    State state = sitting();
+    CHECK(state.lessons.last == lesson);
+    update(state, action::OpenLesson{lesson});
+    CHECK(state.lessons.step == 2);
+  }
+}
+
+TEST_CASE("STEP asks for a prediction though all is unlocked; Reveal and presenters need none") {
+  for (const bool presents : {false, true}) {
+    State state = state_with_lessons();
+    update(state, action::SetLessonOptions{presents, true});
+    update(state, action::OpenLesson{"01-ray-casting"});
+    update(state, action::GoToLessonStep{1});
+    REQUIRE(question_waits(state));
+    update(state, action::Step{true});
+    CHECK(state.lessons.revealed == presents);
+    update(state, action::PlayPause{});
+    CHECK(state.lessons.revealed == presents);
+    if (presents) continue;
+    CHECK(state.document.notice);
+    update(state, action::RevealLesson{});
+    CHECK(state.lessons.revealed);
+  }
 }
 
 TEST_CASE("what a step shows large is exchanged by hand for that step and mode alone") {

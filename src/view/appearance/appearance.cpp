@@ -27,6 +27,8 @@ void action::SetUiScale::apply(State& state) const {
 }
 
 void action::SetTab::apply(State& state) const {
+  // In Focus the tabs are folded: what is of use there alone comes in the plan's place, and goes by the same key.
+  if (state.focus.on) state.focus.tab = !tab.in_plan && !(state.focus.tab && tab == state.appearance.tab);
   state.appearance.tab = tab;
   state.appearance.front = Front::tabs;
   if (tab == StructureRoom::tab) {  // it draws into the plan of a walk

@@ -31,7 +31,10 @@ void zoom_back(State& state) {
 
 }  // namespace
 
-void action::SetFocus::apply(State& state) const { state.focus.on = on; }
+void action::SetFocus::apply(State& state) const {
+  state.focus.on = on;
+  state.focus.tab = false;
+}
 
 void FocusRoom::follow(State& state, const Before&) {
   const std::optional<Vec2d> place = state.focus.on ? place_in_question(state) : std::nullopt;

@@ -36,7 +36,10 @@ struct FocusRoom {
   };
 
   bool on = false;
+  bool tab = false;  ///< the open tab has the plan's place until its key is pressed again
   std::optional<Zoomed> zoomed;
+
+  [[nodiscard]] bool shows_tab() const { return on && tab; }
 };
 
 }  // namespace raywalk

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 namespace raywalk {
 
@@ -24,20 +25,26 @@ constexpr std::size_t max_progress = 1 << 16;  // bytes
 
 std::string progress_path(const State& state) { return state.document.state_dir + "/lessons.json"; }
 
-/// What another window, or an earlier sitting, has written: adds what it has finished, and takes over whether lessons
-/// are unlocked. Progress is a convenience: failures are ignored.
+/// What another window, or an earlier sitting, has written: adds what it has finished and where it was, and takes over
+/// whether lessons are unlocked. Progress is a convenience: failures are ignored.
 void read_progress(State& state) {
   if (state.document.state_dir.empty()) return;
   const auto bytes = read_file(progress_path(state), max_progress);
   if (!bytes) return;
   const auto json = nlohmann::json::parse(*bytes, nullptr, false);
   if (!json.is_object()) return;
-  if (const auto done = json.find("done"); done != json.end() && done->is_object())
-    for (const auto& [name, steps] : done->items())
-      if (steps.is_number_integer()) {
-        int& own = state.lessons.done[name];
-        own = std::max(own, std::clamp(steps.get<int>(), 0, 1000));
-      }
+  const auto each_step = [&](const char* key, const auto& take) {
+    if (const auto steps = json.find(key); steps != json.end() && steps->is_object())
+      for (const auto& [name, step] : steps->items())
+        if (step.is_number_integer()) take(name, std::clamp(step.template get<int>(), 0, 1000));
+  };
+  each_step("done", [&](const std::string& name, int steps) {
+    int& own = state.lessons.done[name];
+    own = std::max(own, steps);
+  });
+  each_step("left_at", [&](const std::string& name, int step) { state.lessons.left_at.try_emplace(name, step); });
+  if (const auto last = json.find("last"); last != json.end() && last->is_string() && state.lessons.last.empty())
+    state.lessons.last = last->get<std::string>();
   if (const auto unlocked = json.find("unlocked"); unlocked != json.end() && unlocked->is_boolean())
     state.lessons.unlocked = unlocked->get<bool>();
 }
@@ -45,7 +52,10 @@ void read_progress(State& state) {
 /// Once it was read: what others have written meanwhile is part of it.
 void write_progress(const State& state) {
   if (state.document.state_dir.empty()) return;
-  const nlohmann::json json{{"done", state.lessons.done}, {"unlocked", state.lessons.unlocked}};
+  const nlohmann::json json{{"done", state.lessons.done},
+                            {"left_at", state.lessons.left_at},
+                            {"last", state.lessons.last},
+                            {"unlocked", state.lessons.unlocked}};
   std::error_code error;
   std::filesystem::create_directories(state.document.state_dir, error);
   const std::string text = json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);  // names may be anything
@@ -99,6 +109,13 @@ void show_as_left(State& state) {
   if (const LessonBeside left = left_before(state.lessons); left != LessonBeside::unchanged) show_beside(state, left);
 }
 
+/// As the step was written: what was chosen for an earlier one is not seen in it. The structure changes no picture.
+void reset_settings(State& state) {
+  const AcceleratorKind accelerator = state.picture.settings.accelerator;
+  state.picture.settings = {};
+  state.picture.settings.accelerator = accelerator;
+}
+
 /// Shows the step's walk, at the position of the question.
 void stage(State& state) {
   const PlayedStep& step = *state.lessons.at();
@@ -108,9 +125,7 @@ void stage(State& state) {
   if (!stays) {
     state.walk.grain = Grain::line;  // the step's words are of lines
     forget_autosave(state);          // changes during a lesson belong to the lesson
-    state.picture.settings.single_precision = false;
-    state.picture.settings.integrator.reset();
-    state.picture.settings.walk_samples = 1;
+    reset_settings(state);
     EffectsRoom::close(state);
     show_document(state, walk.document, {});
     state.walk.pixel = pixel;
@@ -160,6 +175,9 @@ void end_lesson(State& state, const std::string& /*name*/) {
   LessonRoom::close(state);
   if (!own) return;
   show_document(state, own->document, own->path);
+  state.picture.settings = own->settings;
+  state.appearance.tab = own->tab;
+  if (state.lessons.shown) state.focus.on = false;  // where the list could not be seen
   state.walk.mode = own->mode;
   state.walk.position = std::min(own->position, state.walk.timeline->steps());
 }
@@ -184,21 +202,28 @@ bool open_lesson(State& state, const std::string& name, std::optional<int> step)
   }
   const auto done = sitting.done.find(name);
   const int steps = static_cast<int>(opened->played.steps.size());
-  int at = done == sitting.done.end() || done->second >= steps ? 0 : done->second;
+  const auto left = sitting.left_at.find(name);
+  int at = left != sitting.left_at.end() ? left->second : done == sitting.done.end() ? 0 : done->second;
+  if (at >= steps) at = 0;
   if (step) at = std::clamp(*step, 0, steps - 1);
   if (needs_pictures(state, *opened, at)) render_pictures(state, opened, at);
   forget_autosave(state);
   if (!sitting.open && saved_scene(state) != Scene{}) {
     // Unsaved work was asked about, and discarded.
-    sitting.own = std::make_shared<const OwnScene>(
-        OwnScene{saved_document(state), state.document.path, mode, state.walk.position});
+    sitting.own =
+        std::make_shared<const OwnScene>(OwnScene{saved_document(state), state.document.path, mode, state.walk.position,
+                                                  state.picture.settings, state.appearance.tab});
   }
   sitting.open = opened;
   sitting.answered.clear();
+  read_progress(state);
   sitting.last = name;
+  sitting.left_at[name] = at;
+  write_progress(state);
   sitting.step = at;
   sitting.exchanged = {};
   sitting.shown = true;
+  state.focus.tab = false;
   show_as_left(state);
   stage(state);
   return true;
@@ -222,6 +247,7 @@ void action::ShowLessons::apply(State& state) const {
   }
   state.bugs.shown = false;
   state.appearance.front = Front::lesson;
+  if (opens && state.lessons.at() == nullptr) state.focus.on = false;  // where the list could not be seen
   if (opens && state.lessons.at() != nullptr && state.lessons.at()->walk->fault) stage(state);
   if (state.walk.mode == Mode::help) state.walk.mode = Mode::trace;
   read_list(state);
@@ -255,11 +281,18 @@ void action::GoToLessonStep::apply(State& state) const {
   int& done = sitting.done[sitting.open->lesson.name];
   done = std::max(done, to);
   read_progress(state);
+  if (to >= panel.steps)
+    sitting.left_at.erase(sitting.open->lesson.name);
+  else
+    sitting.left_at[sitting.open->lesson.name] = to;
   write_progress(state);
   if (to >= panel.steps) return LeaveLesson{}.apply(state);
   const bool jumps = to < sitting.step || to > sitting.step + 1, asks_again = to == sitting.step || sitting.presenter;
   sitting.step = to;
   sitting.exchanged = {};
+  state.focus.tab = false;
+  reset_settings(state);
+  if (state.document.notice && state.document.notice->kind == Notice::Kind::info) state.document.notice.reset();
   if (jumps) show_as_left(state);
   stage(state);
   FitView{}.apply(state);  // a step speaks of the whole, wherever the one before it was looked at closely
@@ -335,10 +368,14 @@ void action::SetLessonOptions::apply(State& state) const {
   if (changes_locks) state.lessons.unlocked = unlocked;
   state.lessons.presenter = presenter;
   state.lessons.notes = !without_notes;
+  if ((presenter || unlocked) && state.document.notice &&
+      state.document.notice->text == text("lesson.locked", state.appearance.language))
+    state.document.notice.reset();
   write_progress(state);
 }
 
 void action::ExchangePanes::apply(State& state) const {
+  if (std::exchange(state.focus.tab, false) && state.focus.on) return;
   if (lesson_enlarges(state)) {
     bool& by_hand = state.lessons.exchanged[state.walk.mode == Mode::move ? 0 : 1];
     by_hand = !by_hand;

@@ -4,6 +4,7 @@
 #include "io/scene_file.h"
 #include "lesson/play.h"
 #include "view/fields.h"
+#include "view/picture/room.h"
 #include "view/room.h"
 #include "view/walk/room.h"
 
@@ -54,6 +55,8 @@ struct OwnScene {
   std::string path;  ///< empty: never saved
   Mode mode{};
   int position = 0;  ///< of its walk
+  ImageSettings settings;
+  Tab tab;
 };
 
 }  // namespace raywalk
@@ -175,7 +178,8 @@ struct LessonRoom {
   bool notes_window = false;                      ///< the notes have a window of their own
   bool unlocked = false;                          ///< any lesson may be opened, and questions may be skipped
   std::array<bool, 2> exchanged{};  ///< what this step enlarges and the plan, by hand; in Move and in Trace
-  std::map<std::string, int, std::less<>> done;  ///< finished steps of each lesson
+  std::map<std::string, int, std::less<>> done;     ///< finished steps of each lesson
+  std::map<std::string, int, std::less<>> left_at;  ///< the step at which each was left, if not at its end
 
   [[nodiscard]] const PlayedStep* at() const {
     return open && step < static_cast<int>(open->played.steps.size())

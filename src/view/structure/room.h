@@ -50,7 +50,7 @@ namespace raywalk {
 /// The Structure tab.
 struct StructureRoom {
   using Actions = Types<action::ChooseStructure, action::ShowStructurePage, action::GoInStructure>;
-  static constexpr Tab tab{"structure"};
+  static constexpr Tab tab{.word = "structure", .in_plan = true};
   static void draw_tab(const Ui& ui, const Rect& where, TabContext& context);
   static Commands commands();
   static constexpr Layer layer = Layer::under_rays;

@@ -63,8 +63,19 @@ std::optional<action::WalkPixel> neighbour(const State& state, bool forward) {
   return action::WalkPixel{next % walk->size.width, next / walk->size.width, walk->size};
 }
 
+namespace {
+
+/// The answer to a lesson's question, to who has predicted it, or presents. Whoever may see it without a prediction
+/// asks for that by Reveal.
+void show_predicted(State& state) {
+  if (state.lessons.guess.any() || state.lessons.presenter) return action::RevealLesson{}.apply(state);
+  inform(state, std::string(text("lesson.predict_first", state.appearance.language)));
+}
+
+}  // namespace
+
 void action::Step::apply(State& state) const {
-  if (forward && question_waits(state)) return RevealLesson{}.apply(state);
+  if (forward && question_waits(state)) return show_predicted(state);
   // Releasing a held button does not step again.
   if (state.walk.hold) return go_to(state, state.walk.position);
   if (grain.value_or(state.walk.grain) == Grain::pixel)
@@ -143,7 +154,7 @@ void action::Hold::apply(State& state) const {
 void action::Release::apply(State& state) const { state.walk.hold.reset(); }
 
 void action::PlayPause::apply(State& state) const {
-  if (!state.walk.playing && question_waits(state)) return RevealLesson{}.apply(state);
+  if (!state.walk.playing && question_waits(state)) return show_predicted(state);
   state.walk.owed = 0;
   state.walk.hold.reset();
   state.walk.mode = Mode::trace;

@@ -6,6 +6,7 @@
 #include "view/plan/plan_view.h"
 #include "view/text/shown.h"
 #include "view/text/text.h"
+#include "view/walk/asked.h"
 #include "view/walk/walk.h"
 
 #include <fmt/format.h>
@@ -159,7 +160,8 @@ std::string sentence(const State& state) {
     case Mode::trace:
       break;
   }
-  if (state.walk.position == 0) return str(state, "status.first_step_trace");
+  if (state.walk.position == 0)
+    return str(state, question_waits(state) ? "lesson.predict_first" : "status.first_step_trace");
   const std::string done = sentence_of(
       state.scene(), describe(state.scene(), *state.walk.timeline, state.walk.position), state.appearance.language);
   if (state.walk.position < state.walk.timeline->steps()) return done;
