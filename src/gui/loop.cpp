@@ -16,6 +16,7 @@
 #include "text/file.h"
 #include "view/document/document.h"
 #include "view/outline.h"
+#include "view/walk/asked.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -50,19 +51,38 @@ bool writes_file(const Action& action) {
          action.is<action::SaveAs>() || action.is<action::SavePredictions>() || action.is<action::AnswerQuestion>();
 }
 
-/// The name of the scene file that the action reads, or the title of the lesson; none if it reads none.
-std::optional<std::string> file_read_by(const State& state, const Action& action) {
+/// What may take seconds: the name of the scene file or lesson, and what is said meanwhile.
+struct Awaited {
+  std::string name, words;
+};
+
+/// Whether the action shows pictures of a lesson's step, which may have to be made first.
+bool shows_pictures(const State& state, const Action& action) {
+  const bool steps = action.is<action::Step>() || action.is<action::PlayPause>();
+  return state.lessons.open &&
+         (action.is<action::GoToLessonStep>() || action.is<action::RevealLesson>() || (steps && question_waits(state)));
+}
+
+/// What the action has to read or to make first; none if nothing.
+std::optional<Awaited> awaited_by(const State& state, const Action& action) {
+  const Language language = state.appearance.language;
+  if (shows_pictures(state, action))
+    return Awaited{state.lessons.open->lesson.told(language).title,
+                   std::string(text("files.making_pictures", language))};
+  const auto read = [&](const std::string& name) {
+    return Awaited{name, fill("files.reading_scene", language, {{"file", name}})};
+  };
   std::string path;
   if (const auto* lesson = action.as<action::OpenLesson>()) {
     const auto& list = state.lessons.list;
     const auto entry =
         std::find_if(list.begin(), list.end(), [&](const LessonEntry& each) { return each.name == lesson->name; });
-    return entry == list.end() ? lesson->name : entry->title(state.appearance.language);
+    return read(entry == list.end() ? lesson->name : entry->title(language));
   }
   if (const auto* open = action.as<action::Open>()) path = open->path;
   if (action.is<action::AnswerQuestion>() && state.document.question) path = state.document.question->path;
   if (path.empty()) return std::nullopt;
-  return std::filesystem::path(path).filename().string();
+  return read(std::filesystem::path(path).filename().string());
 }
 
 }  // namespace
@@ -125,13 +145,13 @@ class Loop::Parts {
   void act(const Action& action) {
     if (broken_) return;
     frames_due_ = frames_to_settle;
-    const std::optional<std::string> file = file_read_by(state_, action);
-    const std::optional<State> before = file ? std::optional(state_) : std::nullopt;
+    const std::optional<Awaited> awaited = awaited_by(state_, action);
+    const std::optional<State> before = awaited ? std::optional(state_) : std::nullopt;
     bool told = false, cancelled = false;
     const Attention::Watch watch(attention_, Attention::To::closing);
-    if (file)
+    if (awaited)
       attention_.tell([&](double seconds) {
-        tell_of_reading(*file, seconds);
+        tell_of(*awaited, seconds);
         told = true;
         return cancelled = escape_pressed();
       });
@@ -158,8 +178,8 @@ class Loop::Parts {
       state_.document.autosave_file = std::move(autosave_file);
       state_.document.autosave_hold = std::move(autosave_hold);
       state_.document.autosaved_revision = 0;
-      state_.document.notice =
-          Notice{Notice::Kind::info, fill("notice.reading_cancelled", state_.appearance.language, {{"file", *file}})};
+      state_.document.notice = Notice{
+          Notice::Kind::info, fill("notice.reading_cancelled", state_.appearance.language, {{"file", awaited->name}})};
     }
     if (!options_.demo_path.empty()) note_failure(action);
   }
@@ -226,12 +246,11 @@ class Loop::Parts {
     return std::any_of(keys.begin(), keys.end(), [](const KeyPress& key) { return key.key == "Escape"; });
   }
 
-  // Shows that a file is being read, and for how long.
-  void tell_of_reading(const std::string& file, double seconds) {
-    const Language language = state_.appearance.language;
+  // Shows what is awaited, and for how long.
+  void tell_of(const Awaited& awaited, double seconds) {
     const int whole = static_cast<int>(seconds);
-    show_loading(window_, fonts_, state_.appearance.theme, fill("files.reading_scene", language, {{"file", file}}),
-                 fill("files.reading_cancel", language, {{"seconds", whole}}), seconds);
+    show_loading(window_, fonts_, state_.appearance.theme, awaited.words,
+                 fill("files.reading_cancel", state_.appearance.language, {{"seconds", whole}}), seconds);
   }
 
   // After each frame, and not only at the end, which may be abrupt.

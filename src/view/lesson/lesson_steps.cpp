@@ -116,12 +116,12 @@ void reset_settings(State& state) {
   state.picture.settings.accelerator = accelerator;
 }
 
-/// Shows the step's walk, at the position of the question.
-void stage(State& state) {
+/// Shows the step's walk, at the position of the question; `anew`: even where the same scene stands there.
+void stage(State& state, bool anew = false) {
   const PlayedStep& step = *state.lessons.at();
   const LessonWalk& walk = *step.walk;
   const std::optional<PixelWalk> pixel = pixel_of(walk);
-  const bool stays = is_staged(state) && !(state.walk.bug && state.walk.bug->mended);
+  const bool stays = !anew && is_staged(state) && !(state.walk.bug && state.walk.bug->mended);
   if (!stays) {
     state.walk.grain = Grain::line;  // the step's words are of lines
     forget_autosave(state);          // changes during a lesson belong to the lesson
@@ -225,7 +225,8 @@ bool open_lesson(State& state, const std::string& name, std::optional<int> step)
   sitting.shown = true;
   state.focus.tab = false;
   show_as_left(state);
-  stage(state);
+  stage(state, true);
+  action::FitView{}.apply(state);
   return true;
 }
 

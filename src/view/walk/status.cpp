@@ -74,7 +74,7 @@ std::string view_hint(const State& state) {
 
 /// The first few properties of what is selected, or the one that a handle changes, where there is no room for the rest.
 std::string values_of_selected(const State& state) {
-  constexpr int most = 4;
+  constexpr int most = 3;
   const Target& target = state.plan.selected;
   const std::string own = target.kind == TargetKind::corner ? fmt::format("corners.{}", target.part + 1)
                           : target.kind == TargetKind::radius || target.kind == TargetKind::light_radius ? "radius"
@@ -85,7 +85,7 @@ std::string values_of_selected(const State& state) {
     const bool is_wanted =
         own.empty() ? each.key != "name" && each.words.empty() && !each.value.empty() : each.key == own;
     if (!is_wanted) continue;
-    if (count == most) return said + " …";
+    if (count == most) return said + " … " + str(state, "status.other_fields");
     said += fmt::format("{}{} {}", count++ == 0 ? ": " : " · ", each.label, each.value);
   }
   return said;
