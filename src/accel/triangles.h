@@ -1,5 +1,6 @@
 #pragma once
 
+#include "accel/large_pages.h"
 #include "math/transform.h"
 #include "shape/mesh.h"
 #include "shape/naive.h"
@@ -138,7 +139,7 @@ class Triangles {
   /// For `more` elements: exactly as many for the first mesh, in growing steps for the many copies of instances, which
   /// would otherwise be reallocated each time.
   template <class Element>
-  static void make_room(std::vector<Element>& list, std::size_t more) {
+  static void make_room(LargeArray<Element>& list, std::size_t more) {
     if (list.size() + more > list.capacity()) list.reserve(std::max(list.size() + more, 2 * list.capacity()));
   }
   struct Weights {
@@ -149,11 +150,11 @@ class Triangles {
     return {1 - bc.x - bc.y, bc.x, bc.y};
   }
 
-  std::vector<Vec3<T>> positions_;      ///< by vertex
-  std::vector<Mesh::Corners> corners_;  ///< by triangle
-  std::vector<Vec3<T>> normals_;        ///< by vertex, 0 for none; empty when no mesh is smooth
-  std::vector<Vec2<T>> uv_;             ///< by vertex; empty when no mesh has any
-  std::vector<std::uint8_t> has_uv_;    ///< by vertex, with uv_
+  LargeArray<Vec3<T>> positions_;      ///< by vertex
+  LargeArray<Mesh::Corners> corners_;  ///< by triangle
+  std::vector<Vec3<T>> normals_;       ///< by vertex, 0 for none; empty when no mesh is smooth
+  std::vector<Vec2<T>> uv_;            ///< by vertex; empty when no mesh has any
+  std::vector<std::uint8_t> has_uv_;   ///< by vertex, with uv_
   std::vector<MeshCopy> copies_;
   int own_size_ = 0, size_ = 0;
 };

@@ -4,6 +4,7 @@
 
 #include "accel/binary_tree.h"
 #include "accel/build_record.h"
+#include "accel/large_pages.h"
 #include "math/bounds.h"
 
 #include <array>
@@ -116,8 +117,8 @@ class WideTree {
   }
   void list_nodes(std::vector<StructureNode>& nodes, std::size_t most, std::uint32_t index, int depth) const;
 
-  std::vector<WideNode> nodes_;
-  std::vector<TrianglePack> packs_;
+  LargeArray<WideNode> nodes_;
+  LargeArray<TrianglePack> packs_;
   std::vector<std::int32_t> ids_;  ///< of leaves without triangles
   std::size_t items_ = 0;
   int depth_ = 0;
