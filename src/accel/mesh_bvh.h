@@ -44,7 +44,7 @@ class MeshBvh {
     std::array<MeshRay, RayPacket::most> rays;
     for (std::size_t i = 0; i < queries.size(); ++i)
       std::construct_at(&rays[i], queries[i]->ray(), queries[i]->sheared());
-    const float near = near_each_other();
+    const float near = near_each_other_;
     for (std::size_t first = 0, end = 1; first < queries.size(); first = end++) {
       while (end < queries.size() && RayPacket::coherent(rays[first], rays[end], near)) ++end;
       const bool together = end - first >= fewest_together;
@@ -100,11 +100,6 @@ class MeshBvh {
   }
 
   static constexpr std::size_t fewest_together = 4;  ///< rays that a packet pays for
-  /// How far the origins of coherent rays may be apart.
-  [[nodiscard]] float near_each_other() const {
-    const Vec3<float> size = tree_.box().max - tree_.box().min;
-    return 0.125F * std::max({size.x, size.y, size.z});
-  }
 
   template <class Query>
   void walk(std::span<const MeshRay> rays, const Primitives<T>& primitives,
@@ -176,6 +171,7 @@ class MeshBvh {
   }();
 
   WideTree tree_;
+  float near_each_other_ = 0;                    ///< how far the origins of coherent rays may be apart
   std::shared_ptr<const MeshCopies<T>> copies_;  ///< null for none
 };
 
@@ -190,6 +186,8 @@ MeshBvh<T>::MeshBvh(const PrimitiveBounds<T>& boxes, const Primitives<T>& primit
     const Triangle<T> triangle = primitives.triangles()[id - primitives.shape_count()];
     return std::array{wide(triangle.a), wide(triangle.b), wide(triangle.c)};
   });
+  const Vec3<float> size = tree_.box().max - tree_.box().min;
+  near_each_other_ = 0.125F * std::max({size.x, size.y, size.z});
   if (!primitives.triangles().copies().empty()) copies_ = std::make_shared<const MeshCopies<T>>(primitives, build);
   tree_.fill_packs(build.stop, [&](std::int32_t id) -> std::optional<std::array<Vec3d, 3>> {
     if (!primitives.still_triangle(id)) return std::nullopt;

@@ -78,7 +78,7 @@ class Primitives {
   [[nodiscard]] bool still_triangle(int id) const { return id >= shape_count() && motion_of(id) == nullptr; }
   /// A sphere, plane or polygon, S, without transform or motion; null for anything else.
   template <class S>
-  [[nodiscard]] const S* plain(int id) const {
+  [[nodiscard, gnu::always_inline]] const S* plain(int id) const {
     if constexpr (std::is_same_v<S, Sphere<T>>) return plain<S>(id, Plain::sphere);
     if constexpr (std::is_same_v<S, Polygon<T>>) return plain<S>(id, Plain::polygon);
     if constexpr (std::is_same_v<S, Plane<T>>) {
@@ -123,12 +123,7 @@ class Primitives {
       return raywalk::intersect(own(id), ray, t_max, departed_part(ray, id), explain);
     if (id < shape_count() && plain_[static_cast<std::size_t>(id)] == Plain::transformed)
       return intersect_at_rest(id, ray, t_max, explain);
-    // Asked of all triangles at once: where nothing moves, asking each would cost even those that are no triangles.
-    if (sheared && id >= shape_count() && !triangles_move_)
-      return unless_left(id, ray, [&] {
-        return triangles_.intersect(id - shape_count(), *sheared, t_max, departed_part(ray, id), explain);
-      });
-    return intersect_any(id, ray, t_max, explain);
+    return intersect_any(id, ray, t_max, explain, sheared);
   }
   /// The same with a triangle that neither moves nor is degenerate, given its coordinates (intersect_corners).
   template <class Coordinate, class Explain>
@@ -186,8 +181,9 @@ class Primitives {
   [[nodiscard]] SurfacePoint<T> surface_at(int id, const NaiveRay<T>& ray, const Intersection<T>& intersection) const {
     return {ray.at(intersection.t), surface_at(id, ray.plain(), intersection).normal};
   }
-  /// Of a point at `time`.
-  [[nodiscard]] Vec2<T> uv_at(int id, const SurfacePoint<T>& at, int part, T time = 0) const {
+  /// Of a point at `time`. Always inlined for a plane, the checkered floor of most scenes, and never for others:
+  /// otherwise inlining would depend on the rest of the kernel.
+  [[nodiscard, gnu::always_inline]] Vec2<T> uv_at(int id, const SurfacePoint<T>& at, int part, T time = 0) const {
     if (const auto* plane = plain<Plane<T>>(id)) return raywalk::uv_at(*plane, at, part);
     return uv_at_any(id, at, part, time);
   }
@@ -234,7 +230,7 @@ class Primitives {
   static constexpr std::int32_t none = -1;
   [[nodiscard]] const Shape<T>& own(int id) const { return shapes_[static_cast<std::size_t>(id)]; }
   template <class S>
-  [[nodiscard]] const S* plain(int id, Plain kind) const {
+  [[nodiscard, gnu::always_inline]] const S* plain(int id, Plain kind) const {
     if (id >= shape_count() || plain_[static_cast<std::size_t>(id)] != kind) return nullptr;
     const S* shape = std::get_if<S>(&own(id));
     if (shape == nullptr) __builtin_unreachable();
@@ -262,8 +258,13 @@ class Primitives {
   }
   // The next five are not inlined, so that the tracer's loops are the same with and without motion compiled in.
   template <class Explain>
-  [[nodiscard, gnu::noinline]] std::optional<Intersection<T>> intersect_any(int id, const Ray<T>& ray, T t_max,
-                                                                            Explain&& explain) const {
+  [[nodiscard, gnu::noinline]] std::optional<Intersection<T>> intersect_any(
+      int id, const Ray<T>& ray, T t_max, Explain&& explain, const std::optional<ShearedRay<T>>& sheared) const {
+    // Asked of all triangles at once: where none moves, none is asked.
+    if (sheared && id >= shape_count() && !triangles_move_)
+      return unless_left(id, ray, [&] {
+        return triangles_.intersect(id - shape_count(), *sheared, t_max, departed_part(ray, id), explain);
+      });
     if (const Motion* motion = motion_of(id)) return intersect_at_rest(id, at_rest(*motion, ray), t_max, explain);
     return intersect_at_rest(id, ray, t_max, explain);
   }

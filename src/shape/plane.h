@@ -93,7 +93,8 @@ template <class T>
 
 /// Along the plane's own two axes, from its `point`; for a level plane these are x and y.
 template <class T>
-[[nodiscard]] Vec2<T> uv_at(const Plane<T>& plane, const SurfacePoint<T>& point, int /*part*/) {
+[[nodiscard, gnu::always_inline]] inline Vec2<T> uv_at(const Plane<T>& plane, const SurfacePoint<T>& point,
+                                                       int /*part*/) {
   return in_plane(point.position - plane.point, point.normal);
 }
 

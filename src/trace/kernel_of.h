@@ -16,7 +16,13 @@ template <class Policy, class T>
 Statistics run_tracer(const World<T>& world, const RayGenerator<T>& camera, const PixelBlock& block,
                       const PutPixel<T>& put, typename Policy::Observer& observer) {
   Tracer<Policy> tracer(world, camera, observer, block.stop, block.bounced);
-  if constexpr (std::is_same_v<typename Policy::Ray, Ray<T>>) tracer.look_ahead(block);
+  if constexpr (std::is_same_v<typename Policy::Ray, Ray<T>> && !few_kernels) {
+    if (PrimaryRaysAhead<T>::pays(world)) {
+      PrimaryRaysAhead<T> ahead(world, camera, block);
+      tracer.main_algorithm(block, put, ahead);
+      return tracer.statistics();
+    }
+  }
   tracer.main_algorithm(block, put);
   return tracer.statistics();
 }

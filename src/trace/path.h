@@ -67,9 +67,9 @@ class PathTracer {
         nested_(world),
         differential_(world, camera) {}
 
-  /// As the tracer's.
+  /// Allows primary rays of these pixels to be searched before their turn, several at once.
   void look_ahead(const PixelBlock& pixels) {
-    if (!settings_.flat) primary_rays_.look_ahead(pixels);
+    if (!settings_.flat && PrimaryRaysAhead<T>::pays(world_)) ahead_.emplace(world_, camera_, pixels);
   }
 
   /// PATH TRACING. `pixels` yields Pixel; `put(pixel, shade)` receives each final shade.
@@ -264,6 +264,7 @@ class PathTracer {
   Stop stop_;
   Statistics statistics_;
   PrimaryRays<T> primary_rays_;
+  std::optional<PrimaryRaysAhead<T>> ahead_;
   std::vector<int> filters_met_;  ///< kept so that no shadow ray allocates
   RandomKey key_;                 ///< of the pixel's current sample
   int rays_formed_ = 0;           ///< numbers the rays of a recording

@@ -47,7 +47,8 @@ void PathTracer<Policy>::begin(const Pixel& pixel) {
 
 template <class Policy>
 auto PathTracer<Policy>::form_primary_ray(const Pixel& pixel) -> PathRay {
-  raywalk::Ray<T> from_eye = primary_rays_.form(pixel, statistics_);
+  raywalk::Ray<T> from_eye =
+      !few_kernels && ahead_ ? ahead_->form(pixel, statistics_) : primary_rays_.form(pixel, statistics_);
   if constexpr (media) {
     if (settings_.flat) from_eye = flattened(from_eye);
   }
@@ -83,8 +84,9 @@ auto PathTracer<Policy>::find_closest(PathRay& ray, [[maybe_unused]] Free& free)
       return at_exit;
     }
   }
-  Arrival arrival{primary_rays_.searched() ? primary_rays_.take()
-                                           : world_.accelerator.closest(ray.ray, infinity<T>, statistics_.tests)};
+  Arrival arrival{!few_kernels && ahead_ && ahead_->searched()
+                      ? ahead_->closest(ray.ray, statistics_)
+                      : world_.accelerator.closest(ray.ray, infinity<T>, statistics_.tests)};
   if constexpr (media) {
     if (scatters_before(ray, free, arrival)) {
       arrival.scattered = true;

@@ -17,7 +17,7 @@ namespace detail {
 
 template <class Policy>
 auto PencilTracer<Policy>::form_pencil(const Pixel& pixel) -> Pencil {
-  return {this->form_primary_ray(pixel), PencilSystem{}};
+  return {this->form_primary_ray(this->primary_rays_, pixel), PencilSystem{}};
 }
 
 template <class Policy>

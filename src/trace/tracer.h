@@ -45,19 +45,17 @@ class Tracer {
     if constexpr (Policy::effects.bounced) bounced_.light = bounced;
   }
 
-  /// Allows primary rays of these pixels to be searched before their turn, several at once.
-  void look_ahead(const PixelBlock& pixels) { primary_rays_.look_ahead(pixels); }
-
-  /// MAIN ALGORITHM. `pixels` yields Pixel; `put(pixel, shade)` receives each final shade.
-  template <class Pixels, class Put>
-  void main_algorithm(const Pixels& pixels, Put&& put) {
+  /// MAIN ALGORITHM. `pixels` yields Pixel; `put(pixel, shade)` receives each final shade. `from_eye`: PrimaryRays, or
+  /// what has their interface.
+  template <class Pixels, class Put, class FromEye>
+  void main_algorithm(const Pixels& pixels, Put&& put, FromEye& from_eye) {
     // For each pixel
     for (const Pixel& pixel : pixels) {
       begin(pixel);
       // Form primary ray
-      const TreeRay primary = form_primary_ray(pixel);
+      const TreeRay primary = form_primary_ray(from_eye, pixel);
       // Find closest intersection
-      const Nearest nearest = find_closest(Line::find_closest_intersection, 0, primary);
+      const Nearest nearest = find_closest(from_eye, primary);
       Rgb<T> final = background_of(primary, nearest);
       // If intersect something
       if (decide_intersected(nearest)) {
@@ -68,6 +66,10 @@ class Tracer {
       // Put final shade in pixel
       put_in_pixel(pixel, final, put);
     }
+  }
+  template <class Pixels, class Put>
+  void main_algorithm(const Pixels& pixels, Put&& put) {
+    main_algorithm(pixels, put, primary_rays_);
   }
 
   /// What comes back along one ray, whose hit SHADE shades at this depth. `medium`: that it starts in, if known.
@@ -201,7 +203,8 @@ class Tracer {
   using Surface = typename World<T>::Surface;
 
   void begin(const Pixel& pixel);
-  TreeRay form_primary_ray(const Pixel& pixel);
+  template <class FromEye>
+  TreeRay form_primary_ray(FromEye& from_eye, const Pixel& pixel);
   std::optional<Shadow> form_shadow_ray(int depth, const ShadingPoint& at, const TreeRay& ray, const Light& light,
                                         int sample);
   std::optional<TreeRay> form_reflect_ray(int depth, ShadedPoint& at, const TreeRay& ray);
@@ -210,7 +213,11 @@ class Tracer {
   std::optional<TreeRay> form_secondary_ray(Line line, int depth, const ShadingPoint& at, const TreeRay& parent,
                                             RayKind kind, const Vec3<T>& sharp, const Rgb<T>& weight,
                                             Draw draw_direction);
+  template <class FromEye>
+  Nearest find_closest(FromEye& from_eye, const TreeRay& primary);
   Nearest find_closest(Line line, int depth, const TreeRay& ray);
+  /// Counts and tells how a ray ended that was followed to its closest intersection.
+  void end(Line line, int depth, const TreeRay& ray, const Nearest& nearest);
   /// What a ray brings back that leaves the scene; without a sky in the kernel, the same for every ray.
   [[nodiscard]] Rgb<T> background_along(const TreeRay& ray) const {
     if constexpr (Policy::effects.sky)
@@ -230,9 +237,12 @@ class Tracer {
   void set_shadow_hints(const ShadingPoint& at, const Light& light);
   [[nodiscard]] static int samples_of(const Light& light);
   [[nodiscard]] RandomKey light_key(const TreeRay& ray) const;
+  [[nodiscard]] static Vec3<T> sample_light(const Light& light, const Vec2<T>& unit);
   Vec3<T> light_point(const ShadingPoint& at, const TreeRay& ray, const Light& light, int sample);
   Vec3<T> sample_cone(const TreeRay& ray, const Vec3<T>& direction, T one_minus_cos, const Vec3<T>& facing_normal,
                       Effect effect);
+  Vec3<T> sample_rough(const TreeRay& ray, const Vec3<T>& direction, T one_minus_cos, const Vec3<T>& facing_normal,
+                       Effect effect);
   /// Whether the reflect or the refract ray is drawn at random from small facets.
   [[nodiscard]] bool draws_facet(const ShadingPoint& at, RayKind kind) const;
   Vec3<T> sample_facet(ShadedPoint& at, const TreeRay& ray, RayKind kind);

@@ -40,6 +40,12 @@ RandomKey Tracer<Policy>::light_key(const TreeRay& ray) const {
   return key;
 }
 
+/// A point of a light with an extent: apart, and all of it in one piece, as `sample_rough`.
+template <class Policy>
+[[gnu::noinline, gnu::flatten]] auto Tracer<Policy>::sample_light(const Light& light, const Vec2<T>& unit) -> Vec3<T> {
+  return light.sample(unit);
+}
+
 /// The point on the light that shadow ray number `sample` goes to.
 template <class Policy>
 inline auto Tracer<Policy>::light_point(const ShadingPoint& at, const TreeRay& ray, const Light& light, int sample)
@@ -48,7 +54,7 @@ inline auto Tracer<Policy>::light_point(const ShadingPoint& at, const TreeRay& r
     if (!light.is_delta) {
       const T edge = static_cast<T>(light.grid);
       const Vec2<T> cell(static_cast<T>(sample % light.grid), static_cast<T>(sample / light.grid));
-      if (!world_.draws) return light.sample((cell + T(0.5)) / edge);
+      if (!world_.draws) return sample_light(light, (cell + T(0.5)) / edge);
       const auto number = static_cast<std::uint32_t>(sample);
       constexpr int unasked = 16;  // rows of samples
       if (light.grid > unasked && number % (unasked * unasked) == 0) [[unlikely]]
@@ -56,14 +62,14 @@ inline auto Tracer<Policy>::light_point(const ShadingPoint& at, const TreeRay& r
       statistics_.drew(Effect::penumbra, 2);
       if (light.grid > 1 && camera_.sampler() != Sampler::sobol) {
         const Vec2<T> unit = at.light_pairs.template draw<T>(light.first_dimension + 2 * number);
-        return light.sample(camera_.sampler() == Sampler::jittered ? (cell + unit) / edge : unit);
+        return sample_light(light, camera_.sampler() == Sampler::jittered ? (cell + unit) / edge : unit);
       }
       RandomKey key = light_key(ray);
       key.dimension = light.first_dimension;
       // With Sobol's points, all samples of the pixel share one sequence: each takes a range of it.
       key.sample = key.sample * static_cast<std::uint32_t>(light.samples()) + number;
       const Vec2<T> unit = draw_pair<T>(camera_.sampler(), key, camera_.strata());
-      return light.sample(unit);
+      return sample_light(light, unit);
     }
   }
   return light.place;
@@ -74,19 +80,25 @@ inline auto Tracer<Policy>::light_point(const ShadingPoint& at, const TreeRay& r
 template <class Policy>
 auto Tracer<Policy>::sample_cone(const TreeRay& ray, const Vec3<T>& direction, T one_minus_cos,
                                  const Vec3<T>& facing_normal, Effect effect) -> Vec3<T> {
-  if constexpr (Policy::effects.lobes) {
-    if (one_minus_cos > 0) {
-      RandomKey key = key_;
-      key.effect = static_cast<std::uint32_t>(effect);
-      key.path = ray.branch.path;
-      const Vec2<T> unit = draw_pair<T>(camera_.sampler(), key, camera_.strata());
-      statistics_.drew(effect, 2);
-      const Vec3<T> aside = renormalize(Basis<T>(direction).to_world(sample_uniform_cone(unit, one_minus_cos)));
-      const T above = dot(aside, facing_normal);
-      return above > 0 ? aside : aside - 2 * above * facing_normal;
-    }
-  }
+  if constexpr (Policy::effects.lobes)
+    if (one_minus_cos > 0) return sample_rough(ray, direction, one_minus_cos, facing_normal, effect);
   return direction;
+}
+
+/// The same where the lobe has a width: apart, and all of it in one piece, so that neither sharp rays nor what else a
+/// kernel has change how it is compiled.
+template <class Policy>
+[[gnu::noinline, gnu::flatten]] auto Tracer<Policy>::sample_rough(const TreeRay& ray, const Vec3<T>& direction,
+                                                                  T one_minus_cos, const Vec3<T>& facing_normal,
+                                                                  Effect effect) -> Vec3<T> {
+  RandomKey key = key_;
+  key.effect = static_cast<std::uint32_t>(effect);
+  key.path = ray.branch.path;
+  const Vec2<T> unit = draw_pair<T>(camera_.sampler(), key, camera_.strata());
+  statistics_.drew(effect, 2);
+  const Vec3<T> aside = renormalize(Basis<T>(direction).to_world(sample_uniform_cone(unit, one_minus_cos)));
+  const T above = dot(aside, facing_normal);
+  return above > 0 ? aside : aside - 2 * above * facing_normal;
 }
 
 template <class Policy>

@@ -14,6 +14,11 @@ namespace raywalk {
 
 namespace detail {
 
+/// Always inlined: otherwise that would depend on the rest of the kernel.
+[[nodiscard, gnu::always_inline, gnu::flatten]] inline std::uint64_t path_of_child(std::uint64_t parent, RayKind kind) {
+  return child_path(parent, static_cast<std::uint32_t>(kind));
+}
+
 /// Keeps the numbers of one intersection test for an event.
 struct Explanation {
   static constexpr bool wanted = true;
@@ -72,8 +77,9 @@ void Tracer<Policy>::begin(const Pixel& pixel) {
 }
 
 template <class Policy>
-inline auto Tracer<Policy>::form_primary_ray(const Pixel& pixel) -> TreeRay {
-  TreeRay primary{Ray{primary_rays_.form(pixel, statistics_)}, RayKind::primary, Rgb<T>(1), rays_formed_++};
+template <class FromEye>
+inline auto Tracer<Policy>::form_primary_ray(FromEye& from_eye, const Pixel& pixel) -> TreeRay {
+  TreeRay primary{Ray{from_eye.form(pixel, statistics_)}, RayKind::primary, Rgb<T>(1), rays_formed_++};
   if constexpr (Policy::effects.nesting) {
     if (nested_.any_around_eye()) primary.in.medium = nested_.at_eye(primary.ray, statistics_.tests);
   }
@@ -86,18 +92,30 @@ inline auto Tracer<Policy>::form_primary_ray(const Pixel& pixel) -> TreeRay {
 }
 
 template <class Policy>
+template <class FromEye>
+auto Tracer<Policy>::find_closest(FromEye& from_eye, const TreeRay& primary) -> Nearest {
+  const Nearest nearest = from_eye.closest(primary.ray, statistics_);
+  end(Line::find_closest_intersection, 0, primary, nearest);
+  return nearest;
+}
+
+template <class Policy>
 auto Tracer<Policy>::find_closest(Line line, int depth, const TreeRay& ray) -> Nearest {
   Faultable<Ray> sought = ray.ray;
   if constexpr (Policy::faulty)
     sought.near_root_only = world_.fault == Fault::second_root_dropped && line == Line::find_refract_intersect;
-  const Nearest nearest = primary_rays_.searched() ? primary_rays_.take()
-                                                   : world_.accelerator.closest(sought, infinity<T>, statistics_.tests);
+  const Nearest nearest = world_.accelerator.closest(sought, infinity<T>, statistics_.tests);
+  end(line, depth, ray, nearest);
+  return nearest;
+}
+
+template <class Policy>
+inline void Tracer<Policy>::end(Line line, int depth, const TreeRay& ray, const Nearest& nearest) {
   ++statistics_.ends(nearest ? Ending::hit : Ending::missed);
   note(line, depth, [&] {
     return nearest ? detail::describe(ray.number, Ending::hit, world_, ray.ray, *nearest)
                    : detail::describe_missed(ray.number, Ending::missed, world_, ray.ray);
   });
-  return nearest;
 }
 
 template <class Policy>
@@ -340,7 +358,7 @@ inline auto Tracer<Policy>::form_secondary_ray(Line line, int depth, const Shadi
   inject<Policy>(world_, Fault::epsilon_wrong_side, [&] {
     if (kind == RayKind::reflect) formed.ray.origin = at.position - (formed.ray.origin - at.position);
   });
-  if constexpr (draws) formed.branch.path = child_path(parent.branch.path, static_cast<std::uint32_t>(kind));
+  if constexpr (draws) formed.branch.path = detail::path_of_child(parent.branch.path, kind);
   if constexpr (Policy::faulty) formed.generation.number = parent.generation.number + 1;
   if constexpr (Policy::effects.refraction) formed.in.medium = medium_on_side(at, parent, kind == RayKind::refract);
   if constexpr (carries_differentials) {

@@ -111,9 +111,9 @@ struct World {
 
     [[nodiscard]] int samples() const { return grid * grid; }
     /// Maps the unit square to the light, uniformly in area. Kinds with an extent are asked in turn: cheaper than a
-    /// visit, which jumps to one of all kinds.
+    /// visit, which jumps to one of all kinds. All of it inline: otherwise that would depend on the rest of the kernel.
     template <std::size_t I = 0>
-    [[nodiscard]] Vec3<T> sample(const Vec2<T>& unit) const {
+    [[nodiscard, gnu::always_inline, gnu::flatten]] Vec3<T> sample(const Vec2<T>& unit) const {
       if constexpr (I == std::variant_size_v<PreparedLight<T>>) {
         return place;
       } else {
