@@ -63,7 +63,7 @@ float tab_choice_height(const Ui& ui, float width) {
 
 void tab_choice(const Ui& ui, const Rect& where) {
   if (where.empty()) return;
-  const Pane pane(ui, "tab-choice", where, ui.colours.panel, {0, 0}, ImGuiWindowFlags_NoScrollbar);
+  const Pane pane(ui, "choice-of-tabs", where, ui.colours.panel, {0, 0}, ImGuiWindowFlags_NoScrollbar);
   if (!pane) return;
   ImGui::GetWindowDrawList()->AddLine({where.x, where.y}, {where.right(), where.y},
                                       to_imgui(Shades(ui.state.appearance.theme).line));
