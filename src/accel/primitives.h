@@ -1,6 +1,7 @@
 #pragma once
 
 #include "accel/triangles.h"
+#include "math/inlining.h"
 #include "math/motion.h"
 #include "math/stop.h"
 #include "shape/naive.h"
@@ -78,7 +79,7 @@ class Primitives {
   [[nodiscard]] bool still_triangle(int id) const { return id >= shape_count() && motion_of(id) == nullptr; }
   /// A sphere, plane or polygon, S, without transform or motion; null for anything else.
   template <class S>
-  [[nodiscard, gnu::always_inline]] const S* plain(int id) const {
+  [[nodiscard, RAYWALK_INLINE]] const S* plain(int id) const {
     if constexpr (std::is_same_v<S, Sphere<T>>) return plain<S>(id, Plain::sphere);
     if constexpr (std::is_same_v<S, Polygon<T>>) return plain<S>(id, Plain::polygon);
     if constexpr (std::is_same_v<S, Plane<T>>) {
@@ -183,7 +184,7 @@ class Primitives {
   }
   /// Of a point at `time`. Always inlined for a plane, the checkered floor of most scenes, and never for others:
   /// otherwise inlining would depend on the rest of the kernel.
-  [[nodiscard, gnu::always_inline]] Vec2<T> uv_at(int id, const SurfacePoint<T>& at, int part, T time = 0) const {
+  [[nodiscard, RAYWALK_INLINE]] Vec2<T> uv_at(int id, const SurfacePoint<T>& at, int part, T time = 0) const {
     if (const auto* plane = plain<Plane<T>>(id)) return raywalk::uv_at(*plane, at, part);
     return uv_at_any(id, at, part, time);
   }
@@ -230,7 +231,7 @@ class Primitives {
   static constexpr std::int32_t none = -1;
   [[nodiscard]] const Shape<T>& own(int id) const { return shapes_[static_cast<std::size_t>(id)]; }
   template <class S>
-  [[nodiscard, gnu::always_inline]] const S* plain(int id, Plain kind) const {
+  [[nodiscard, RAYWALK_INLINE]] const S* plain(int id, Plain kind) const {
     if (id >= shape_count() || plain_[static_cast<std::size_t>(id)] != kind) return nullptr;
     const S* shape = std::get_if<S>(&own(id));
     if (shape == nullptr) __builtin_unreachable();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "math/exact.h"
+#include "math/inlining.h"
 #include "shape/intersection.h"
 
 #include <cmath>
@@ -93,8 +94,7 @@ template <class T>
 
 /// Along the plane's own two axes, from its `point`; for a level plane these are x and y.
 template <class T>
-[[nodiscard, gnu::always_inline]] inline Vec2<T> uv_at(const Plane<T>& plane, const SurfacePoint<T>& point,
-                                                       int /*part*/) {
+[[nodiscard, RAYWALK_INLINE]] inline Vec2<T> uv_at(const Plane<T>& plane, const SurfacePoint<T>& point, int /*part*/) {
   return in_plane(point.position - plane.point, point.normal);
 }
 

@@ -2,6 +2,7 @@
 // Quadratics along a ray: their roots in double with error bounds, and by exact arithmetic.
 
 #include "math/exact.h"
+#include "math/inlining.h"
 
 #include <algorithm>
 #include <cmath>
@@ -83,8 +84,8 @@ inline double QuadricRoots::refined(const QuadricEquation& e, const Vec3d& o, co
   return best;
 }
 
-[[nodiscard, gnu::always_inline]] inline QuadricRoots quadric_roots(const QuadricEquation& e, const Vec3d& o,
-                                                                    const Vec3d& d, bool on_wall) {
+[[nodiscard, RAYWALK_INLINE]] inline QuadricRoots quadric_roots(const QuadricEquation& e, const Vec3d& o,
+                                                                const Vec3d& d, bool on_wall) {
   const double axx = e.xx * d.x * d.x, ayy = e.yy * d.y * d.y, azz = e.zz * d.z * d.z;
   const double bxx = e.xx * o.x * d.x, byy = e.yy * o.y * d.y, bzz = e.zz * o.z * d.z, bl = e.linear * d.z / 2;
   const double cxx = e.xx * o.x * o.x, cyy = e.yy * o.y * o.y, czz = e.zz * o.z * o.z, cl = e.linear * o.z;

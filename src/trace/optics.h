@@ -1,5 +1,6 @@
 #pragma once
 
+#include "math/inlining.h"
 #include "math/power.h"
 #include "math/vec.h"
 
@@ -34,7 +35,7 @@ struct Refraction {
   [[nodiscard]] bool total() const { return k < 0; }
   /// Unpolarised reflectance, in 0..1: Fresnel's equations for a dielectric. At grazing incidence both cosines may be
   /// 0: everything is reflected. Computed on demand: it costs two divisions.
-  [[nodiscard, gnu::always_inline]] T fresnel() const {
+  [[nodiscard, RAYWALK_INLINE]] T fresnel() const {
     const T s_sum = n1 * cos_in + n2 * cos_out, p_sum = n2 * cos_in + n1 * cos_out;
     if (total() || s_sum == 0 || p_sum == 0) return 1;
     const T rs = (n1 * cos_in - n2 * cos_out) / s_sum, rp = (n2 * cos_in - n1 * cos_out) / p_sum;
@@ -43,8 +44,8 @@ struct Refraction {
 };
 
 template <class T>
-[[nodiscard, gnu::always_inline]] inline Refraction<T> refraction_at(const Vec3<T>& unit_incident,
-                                                                     const Vec3<T>& facing_normal, T n1, T n2) {
+[[nodiscard, RAYWALK_INLINE]] inline Refraction<T> refraction_at(const Vec3<T>& unit_incident,
+                                                                 const Vec3<T>& facing_normal, T n1, T n2) {
   const T cos_in = std::clamp(-dot(unit_incident, facing_normal), T(0), T(1));
   // 1 - eta^2 (1 - cos^2), over n2^2 so that neither equal indices nor the critical angle lose digits: the difference
   // of similar indices is exact, and no rounded eta is involved.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "math/inlining.h"
 #include "trace/kernel.h"
 
 #include <optional>
@@ -15,12 +16,12 @@ class PrimaryRays {
   PrimaryRays(const World<T>& world, const RayGenerator<T>& camera) : world_(world), camera_(camera) {}
 
   /// Of the next pixel.
-  [[nodiscard, gnu::always_inline]] Ray<T> form(const Pixel& pixel, Statistics& statistics) {
+  [[nodiscard, RAYWALK_INLINE]] Ray<T> form(const Pixel& pixel, Statistics& statistics) {
     return camera_.primary_ray(pixel, draws_, statistics);
   }
   /// What it hits.
   template <class AnyRay>
-  [[nodiscard, gnu::always_inline]] std::optional<Hit<T>> closest(const AnyRay& ray, Statistics& statistics) const {
+  [[nodiscard, RAYWALK_INLINE]] std::optional<Hit<T>> closest(const AnyRay& ray, Statistics& statistics) const {
     return world_.accelerator.closest(ray, infinity<T>, statistics.tests);
   }
 

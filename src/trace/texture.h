@@ -1,5 +1,6 @@
 #pragma once
 
+#include "math/inlining.h"
 #include "math/vec.h"
 #include "scene/material.h"
 
@@ -37,7 +38,7 @@ template <class T>
 /// Whether a position lies in an even square of a checker. In integers, without branches: these would be mispredicted
 /// half of the time.
 template <class T>
-[[nodiscard, gnu::always_inline]] inline bool even_square(const Vec2<T>& uv, T size) {
+[[nodiscard, RAYWALK_INLINE]] inline bool even_square(const Vec2<T>& uv, T size) {
   const auto square = [&](T along) -> std::int64_t {
     const T place = along / size;
     if (!(std::abs(place) < T(0x1p62))) return 0;  // this far out, T has only even numbers

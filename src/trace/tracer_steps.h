@@ -2,6 +2,7 @@
 // What each statement of trace/tracer.h does, except for the preparation of a hit (trace/tracer_shading.h). Included by
 // it alone.
 
+#include "math/inlining.h"
 #include "trace/representable.h"
 #include "trace/shadow_transmittance.h"
 #include "trace/tracer.h"
@@ -15,7 +16,7 @@ namespace raywalk {
 namespace detail {
 
 /// Always inlined: otherwise that would depend on the rest of the kernel.
-[[nodiscard, gnu::always_inline, gnu::flatten]] inline std::uint64_t path_of_child(std::uint64_t parent, RayKind kind) {
+[[nodiscard, RAYWALK_INLINE_WHOLE]] inline std::uint64_t path_of_child(std::uint64_t parent, RayKind kind) {
   return child_path(parent, static_cast<std::uint32_t>(kind));
 }
 

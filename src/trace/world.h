@@ -1,6 +1,7 @@
 #pragma once
 
 #include "accel/accelerator.h"
+#include "math/inlining.h"
 #include "scene/effects.h"
 #include "scene/scene.h"
 #include "trace/bodies.h"
@@ -113,7 +114,7 @@ struct World {
     /// Maps the unit square to the light, uniformly in area. Kinds with an extent are asked in turn: cheaper than a
     /// visit, which jumps to one of all kinds. All of it inline: otherwise that would depend on the rest of the kernel.
     template <std::size_t I = 0>
-    [[nodiscard, gnu::always_inline, gnu::flatten]] Vec3<T> sample(const Vec2<T>& unit) const {
+    [[nodiscard, RAYWALK_INLINE_WHOLE]] Vec3<T> sample(const Vec2<T>& unit) const {
       if constexpr (I == std::variant_size_v<PreparedLight<T>>) {
         return place;
       } else {
