@@ -1,6 +1,7 @@
 #include "gui/loop.h"
 
 #include "gui/animation.h"
+#include "gui/awaited.h"
 #include "gui/command.h"
 #include "gui/fallback_fonts.h"
 #include "gui/interface.h"
@@ -16,10 +17,8 @@
 #include "text/file.h"
 #include "view/document/document.h"
 #include "view/outline.h"
-#include "view/walk/asked.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -49,40 +48,6 @@ constexpr double notice_lasts = 6;          // seconds, unless it reports an err
 bool writes_file(const Action& action) {
   return action.is<action::Export>() || action.is<action::FinishExport>() || action.is<action::Save>() ||
          action.is<action::SaveAs>() || action.is<action::SavePredictions>() || action.is<action::AnswerQuestion>();
-}
-
-/// What may take seconds: the name of the scene file or lesson, and what is said meanwhile.
-struct Awaited {
-  std::string name, words;
-};
-
-/// Whether the action shows pictures of a lesson's step, which may have to be made first.
-bool shows_pictures(const State& state, const Action& action) {
-  const bool steps = action.is<action::Step>() || action.is<action::PlayPause>();
-  return state.lessons.open &&
-         (action.is<action::GoToLessonStep>() || action.is<action::RevealLesson>() || (steps && question_waits(state)));
-}
-
-/// What the action has to read or to make first; none if nothing.
-std::optional<Awaited> awaited_by(const State& state, const Action& action) {
-  const Language language = state.appearance.language;
-  if (shows_pictures(state, action))
-    return Awaited{state.lessons.open->lesson.told(language).title,
-                   std::string(text("files.making_pictures", language))};
-  const auto read = [&](const std::string& name) {
-    return Awaited{name, fill("files.reading_scene", language, {{"file", name}})};
-  };
-  std::string path;
-  if (const auto* lesson = action.as<action::OpenLesson>()) {
-    const auto& list = state.lessons.list;
-    const auto entry =
-        std::find_if(list.begin(), list.end(), [&](const LessonEntry& each) { return each.name == lesson->name; });
-    return read(entry == list.end() ? lesson->name : entry->title(language));
-  }
-  if (const auto* open = action.as<action::Open>()) path = open->path;
-  if (action.is<action::AnswerQuestion>() && state.document.question) path = state.document.question->path;
-  if (path.empty()) return std::nullopt;
-  return read(std::filesystem::path(path).filename().string());
 }
 
 }  // namespace

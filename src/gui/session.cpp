@@ -37,17 +37,19 @@ Result<void> choose(const std::string& name, const char* what, Choice& to) {
   return tl::unexpected(Error{"", 0, 0, std::string("there is no ") + what + " '" + name + "'", "one of: " + expected});
 }
 
-}  // namespace
-
-Settings settings_of(const State& state) {
-  return {state.appearance.theme,     state.appearance.ui_scale,
-          state.appearance.tab,       std::string(state.appearance.language.code()),
-          state.walk.tweens,          state.appearance.english_code,
-          state.appearance.exchanged, state.appearance.code_part,
-          state.lessons.presenter,    state.link.page};
+/// Calls `with(key in the file, member of Settings, where a State has it)` for each setting, but for the language,
+/// which the state has with its texts.
+void each_setting(const auto& with) {
+  with("theme", &Settings::theme, [](auto& state) -> auto& { return state.appearance.theme; });
+  with("ui_scale", &Settings::ui_scale, [](auto& state) -> auto& { return state.appearance.ui_scale; });
+  with("tab", &Settings::tab, [](auto& state) -> auto& { return state.appearance.tab; });
+  with("tweens", &Settings::tweens, [](auto& state) -> auto& { return state.walk.tweens; });
+  with("english_code", &Settings::english_code, [](auto& state) -> auto& { return state.appearance.english_code; });
+  with("exchanged", &Settings::exchanged, [](auto& state) -> auto& { return state.appearance.exchanged; });
+  with("code_part", &Settings::code_part, [](auto& state) -> auto& { return state.appearance.code_part; });
+  with("presenter", &Settings::presenter, [](auto& state) -> auto& { return state.lessons.presenter; });
+  with("link_page", &Settings::link_page, [](auto& state) -> auto& { return state.link.page; });
 }
-
-namespace {
 
 nlohmann::json settings_in(const std::string& state_dir) {
   const Result<std::string> bytes = read_file(settings_path(state_dir), max_settings);
@@ -55,43 +57,58 @@ nlohmann::json settings_in(const std::string& state_dir) {
   return json.is_object() ? json : nlohmann::json::object();
 }
 
+nlohmann::json json_of(const auto& value) { return value; }
+nlohmann::json json_of(const Worded auto& value) { return name_of(value); }
+nlohmann::json json_of(const std::vector<Tab>& tabs) {
+  nlohmann::json names = nlohmann::json::array();
+  for (const Tab& tab : tabs) names.push_back(tab.word);
+  return names;
+}
+
+// Sets `to` to what the file says, if that is of its type.
+void read_into(bool& to, const nlohmann::json& from) {
+  if (from.is_boolean()) to = from.get<bool>();
+}
+void read_into(double& to, const nlohmann::json& from) {
+  if (from.is_number()) to = from.get<double>();
+}
+void read_into(std::string& to, const nlohmann::json& from) {
+  if (from.is_string()) to = from.get<std::string>();
+}
+template <Worded Choice>
+void read_into(Choice& to, const nlohmann::json& from) {
+  if (from.is_string()) to = named<Choice>(from.get<std::string>()).value_or(to);
+}
+void read_into(std::vector<Tab>& to, const nlohmann::json& from) {
+  for (const auto& each : from.is_array() ? from : nlohmann::json::array())
+    if (const auto tab = each.is_string() ? named<Tab>(each.get<std::string>()) : std::nullopt) to.push_back(*tab);
+}
+
 nlohmann::json json_of(const Settings& settings) {
-  nlohmann::json exchanged = nlohmann::json::array();
-  for (const Tab& tab : settings.exchanged) exchanged.push_back(tab.word);
-  return {{"theme", name_of(settings.theme)},      {"tab", name_of(settings.tab)},
-          {"ui_scale", settings.ui_scale},         {"tweens", settings.tweens},
-          {"english_code", settings.english_code}, {"exchanged", exchanged},
-          {"language", settings.language},         {"link_page", settings.link_page},
-          {"code_part", settings.code_part},       {"presenter", settings.presenter}};
+  nlohmann::json json;
+  json["language"] = settings.language;
+  each_setting([&](const char* key, auto member, auto) { json[key] = json_of(settings.*member); });
+  return json;
 }
 
 }  // namespace
+
+Settings settings_of(const State& state) {
+  Settings settings{.language = std::string(state.appearance.language.code())};
+  each_setting([&](const char*, auto member, auto in) { settings.*member = in(state); });
+  return settings;
+}
 
 Settings read_settings(const std::string& state_dir) {
   Settings settings;
   if (state_dir.empty()) return settings;
   const nlohmann::json json = settings_in(state_dir);
-  const auto word = [&](const char* key) {
-    const auto at = json.find(key);
-    return at != json.end() && at->is_string() ? at->get<std::string>() : std::string();
-  };
-  settings.theme = named<Theme>(word("theme")).value_or(settings.theme);
-  settings.tab = named<Tab>(word("tab")).value_or(settings.tab);
-  settings.language = word("language");
-  settings.link_page = word("link_page");
-  if (const auto at = json.find("ui_scale"); at != json.end() && at->is_number())
-    settings.ui_scale = std::clamp(at->get<double>(), min_ui_scale, max_ui_scale);
-  if (const auto at = json.find("code_part"); at != json.end() && at->is_number() && at->get<double>() > 0)
-    settings.code_part = std::clamp(at->get<double>(), min_code_part, max_code_part);
-  if (const auto at = json.find("tweens"); at != json.end() && at->is_boolean()) settings.tweens = at->get<bool>();
-  if (const auto at = json.find("english_code"); at != json.end() && at->is_boolean())
-    settings.english_code = at->get<bool>();
-  if (const auto at = json.find("presenter"); at != json.end() && at->is_boolean())
-    settings.presenter = at->get<bool>();
-  if (const auto at = json.find("exchanged"); at != json.end() && at->is_array())
-    for (const auto& each : *at)
-      if (const auto tab = each.is_string() ? named<Tab>(each.get<std::string>()) : std::nullopt)
-        settings.exchanged.push_back(*tab);
+  if (const auto at = json.find("language"); at != json.end()) read_into(settings.language, *at);
+  each_setting([&](const char* key, auto member, auto) {
+    if (const auto at = json.find(key); at != json.end()) read_into(settings.*member, *at);
+  });
+  settings.ui_scale = std::clamp(settings.ui_scale, min_ui_scale, max_ui_scale);
+  settings.code_part = settings.code_part > 0 ? std::clamp(settings.code_part, min_code_part, max_code_part) : 0;
   return settings;
 }
 
@@ -153,20 +170,13 @@ Result<State> start(const GuiOptions& options, const Stop& stop) {
     state.document.notice = Notice{Notice::Kind::error, fill("notice.broken_texts", state.appearance.language,
                                                              {{"why", options.broken_texts.front().text()}})};
 
-  state.appearance.theme = settings.theme;
-  state.appearance.english_code = settings.english_code;
-  state.appearance.exchanged = settings.exchanged;
-  state.lessons.presenter = settings.presenter;
-  state.appearance.code_part = settings.code_part;
-  state.appearance.ui_scale =
-      options.ui_scale > 0 ? std::clamp(options.ui_scale, min_ui_scale, max_ui_scale) : settings.ui_scale;
-  state.appearance.tab = settings.tab;
+  each_setting([&](const char*, auto member, auto in) { in(state) = settings.*member; });
+  if (options.ui_scale > 0) state.appearance.ui_scale = std::clamp(options.ui_scale, min_ui_scale, max_ui_scale);
   if (Result<void> chosen = choose(options.theme, "theme", state.appearance.theme); !chosen)
     return tl::unexpected(chosen.error());
   if (Result<void> chosen = choose(options.start_tab, "tab", state.appearance.tab); !chosen)
     return tl::unexpected(chosen.error());
   state.appearance.embedded = options.embedded;
-  state.link.page = settings.link_page;
   state.link.own_page = options.own_page;
   if (!options.link.empty()) {
     // An earlier session's work is asked about all the same.
@@ -181,7 +191,6 @@ Result<State> start(const GuiOptions& options, const Stop& stop) {
   Mode mode = state.walk.mode;
   if (Result<void> chosen = choose(options.start_mode, "mode", mode); !chosen) return tl::unexpected(chosen.error());
   if (mode != state.walk.mode) update(state, action::SetMode{mode});
-  state.walk.tweens = settings.tweens;
   return state;
 }
 

@@ -298,7 +298,7 @@ void choice(const Ui& ui, const std::vector<const Command*>& commands, float hei
 
 namespace {
 
-// Buttons of a choice in lines, each with its width; one line is as high as asked for, several are lower.
+// Buttons of a choice in several lines, each with its width.
 struct ChoiceLines {
   std::vector<std::vector<std::pair<const Command*, float>>> lines;
   bool in_short = false;
@@ -306,8 +306,9 @@ struct ChoiceLines {
   [[nodiscard]] float height() const { return line_height * static_cast<float>(lines.size()); }
 };
 
-ChoiceLines choice_lines(const Ui& ui, const std::vector<const Command*>& commands, float line_height,
-                         const ButtonLook& look, float width) {
+// None if the choice fits into one line, which is as high as asked for; several are lower.
+std::optional<ChoiceLines> choice_lines(const Ui& ui, const std::vector<const Command*>& commands, float line_height,
+                                        const ButtonLook& look, float width) {
   // The padding that short words can lose on either side.
   const float spare = 2 * ui.px(7) * static_cast<float>(commands.size());
   const auto sum = [&](bool in_short) {
@@ -315,8 +316,7 @@ ChoiceLines choice_lines(const Ui& ui, const std::vector<const Command*>& comman
     for (const Command* each : commands) all += button_width(ui, command_label(*each, ui.state, in_short), look);
     return all;
   };
-  if (sum(true) - spare <= width) return {{{}}, true, line_height};
-  const float low = line_height * 0.8f;
+  if (sum(true) - spare <= width) return std::nullopt;
   const auto broken = [&](bool in_short, float room) {
     decltype(ChoiceLines::lines) lines(1);
     float used = 0;
@@ -339,7 +339,7 @@ ChoiceLines choice_lines(const Ui& ui, const std::vector<const Command*>& comman
     if (even.size() > lines.size()) break;
     lines = std::move(even);
   }
-  return {std::move(lines), in_short, low};
+  return ChoiceLines{std::move(lines), in_short, line_height * 0.8f};
 }
 
 ButtonLook look_of_choice(ImFont* font) {
@@ -350,27 +350,28 @@ ButtonLook look_of_choice(ImFont* font) {
 
 float choice_height(const Ui& ui, const std::vector<const Command*>& commands, float line_height, ImFont* font,
                     float width) {
-  return choice_lines(ui, commands, line_height, look_of_choice(font), width).height();
+  const auto lines = choice_lines(ui, commands, line_height, look_of_choice(font), width);
+  return lines ? lines->height() : line_height;
 }
 
 void choice_in_lines(const Ui& ui, const std::vector<const Command*>& commands, float line_height, ImFont* font,
                      float width) {
   const ButtonLook look = look_of_choice(font);
-  const ChoiceLines broken = choice_lines(ui, commands, line_height, look, width);
-  if (broken.lines.size() == 1) return choice(ui, commands, line_height, font, width);
+  const auto broken = choice_lines(ui, commands, line_height, look, width);
+  if (!broken) return choice(ui, commands, line_height, font, width);
   const ImVec2 least = ImGui::GetCursorScreenPos();
-  const float height = broken.height(), low = broken.line_height;
+  const float height = broken->height(), low = broken->line_height;
   ImGui::GetWindowDrawList()->AddRectFilled(least, {least.x + width, least.y + height},
                                             to_imgui(Shades(ui.state.appearance.theme).raised),
                                             ImGui::GetStyle().FrameRounding);
   float y = least.y;
-  for (const auto& line : broken.lines) {
+  for (const auto& line : broken->lines) {
     float taken = 0, x = least.x;
     for (const auto& [each, own] : line) taken += own;
     const float more = std::max(width - taken, 0.0f) / static_cast<float>(line.size());
     for (const auto& [each, own] : line) {
       ImGui::SetCursorScreenPos({x, y});
-      command_button(ui, *each, {own + more, low}, look, command_label(*each, ui.state, broken.in_short));
+      command_button(ui, *each, {own + more, low}, look, command_label(*each, ui.state, broken->in_short));
       x += own + more;
     }
     y += low;

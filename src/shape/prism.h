@@ -359,7 +359,6 @@ template <class T>
 
 template <class Cutter>
 void cut(Cutter& to, const Prism<double>& prism) {
-  std::vector<Vec2d> corners = prism.corners;
   const bool clockwise = prism.twice_signed_area() < 0;
   const double low = -prism.height / 2, high = prism.height / 2;
   std::vector<Vec3d> top, bottom;

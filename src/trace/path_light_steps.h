@@ -205,9 +205,10 @@ auto PathTracer<Policy>::find_intersection(const PathRay& ray, const LightSample
   note(Line::path_find_intersection, ray.length, [&] {
     if (light_sample.light && ending == Ending::blocked)
       blocker = first_blocker(world_, light_sample.ray, light_sample.light->t_far());
-    TestCounts uncounted;
-    if (is_sky(light_sample) && !by_media && ending == Ending::blocked)
+    if (is_sky(light_sample) && !by_media && ending == Ending::blocked) {
+      TestCounts uncounted;
       blocker = world_.accelerator.closest(light_sample.ray, infinity<T>, uncounted);
+    }
     Found found = blocker ? detail::describe(light_sample.number, ending, world_, light_sample.ray, *blocker)
                   : light_sample.light ? Found{light_sample.number, ending}
                                        : detail::describe_missed(light_sample.number, ending, world_, light_sample.ray);

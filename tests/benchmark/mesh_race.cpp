@@ -15,7 +15,9 @@
 #include <functional>
 #include <memory>
 #include <numbers>
+#include <numeric>
 #include <optional>
+#include <random>
 #include <span>
 #include <string>
 #include <vector>
@@ -337,12 +339,18 @@ int race(const Subject& subject, int thousands, int runs) {
   for (const RaySet& set : ray_sets(subject, accelerator, thousands)) {
     std::vector<std::vector<int>> answers(racers.size(), std::vector<int>(set.rays.size()));
     std::vector<std::vector<double>> seconds(racers.size());
-    for (int run = 0; run < runs + 1; ++run)
-      for (std::size_t i = 0; i < racers.size(); ++i) {
+    // In another order each time: who comes after another with the same tree finds what that has fetched.
+    std::vector<std::size_t> order(racers.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::mt19937 shuffler(1);
+    for (int run = 0; run < runs + 1; ++run) {
+      std::shuffle(order.begin(), order.end(), shuffler);
+      for (const std::size_t i : order) {
         const double start = processor_seconds();
         racers[i].trace(set, answers[i]);
         if (run > 0 || runs == 0) seconds[i].push_back(processor_seconds() - start);  // the first warms up
       }
+    }
     std::vector<int> wrong(racers.size(), 0);
 #ifdef RAYWALK_ORACLE
     for (std::size_t ray = 0; ray < set.rays.size(); ++ray) {

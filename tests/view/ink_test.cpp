@@ -231,6 +231,16 @@ TEST_CASE("a protractor reads the angle between a ray and the normal where it is
   shift.shift = true;
   click(state, nowhere + Vec2d(7, 80), shift);
   CHECK(reading_of(ink_of(state).back(), in_english) == "90\u00b0");
+  // Half drawn, it is what undo takes back, and not the mark before.
+  const std::size_t marks = ink_of(state).size();
+  click(state, nowhere);
+  REQUIRE(state.ink.begun);
+  update(state, action::Undo{});
+  CHECK_FALSE(state.ink.begun);
+  CHECK(state.ink.on);
+  CHECK(ink_of(state).size() == marks);
+  update(state, action::Undo{});
+  CHECK(ink_of(state).size() == marks - 1);
 }
 
 TEST_CASE("words are written where the plan is pressed") {

@@ -72,6 +72,7 @@ TEST_CASE("thousands of random actions of every kind keep every promise, and und
        {Action(action::CancelPrompt{}), Action(action::CancelDrag{}), Action(action::LeaveHunt{})})
     apply(action);
   for (int i = 0; i < rounds(80); ++i) apply(actions.next_edit(state));
+  if (state.ink.begun) apply(action::LeaveInk{});  // undo would only drop it
   std::vector<Moment> moments{now()};
   while (!state.document.undo.empty()) {
     update(state, action::Undo{});

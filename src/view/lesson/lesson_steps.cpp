@@ -177,7 +177,7 @@ void end_lesson(State& state, const std::string& /*name*/) {
   show_document(state, own->document, own->path);
   state.picture.settings = own->settings;
   state.appearance.tab = own->tab;
-  if (state.lessons.shown) state.focus.on = false;  // where the list could not be seen
+  if (state.lessons.shown) action::SetFocus{false}.apply(state);  // where the list could not be seen
   state.walk.mode = own->mode;
   state.walk.position = std::min(own->position, state.walk.timeline->steps());
 }
@@ -248,7 +248,8 @@ void action::ShowLessons::apply(State& state) const {
   }
   state.bugs.shown = false;
   state.appearance.front = Front::lesson;
-  if (opens && state.lessons.at() == nullptr) state.focus.on = false;  // where the list could not be seen
+  // In Focus the list could not be seen.
+  if (opens && state.lessons.at() == nullptr) SetFocus{false}.apply(state);
   if (opens && state.lessons.at() != nullptr && state.lessons.at()->walk->fault) stage(state);
   if (state.walk.mode == Mode::help) state.walk.mode = Mode::trace;
   read_list(state);
@@ -330,7 +331,7 @@ void action::GuessNumber::apply(State& state) const {
 void action::RevealLesson::apply(State& state) const {
   LessonRoom& sitting = state.lessons;
   if (!lesson_panel(state).can_reveal) {
-    if (question_waits(state)) inform(state, std::string(text("lesson.predict_first", state.appearance.language)));
+    if (question_waits(state)) ask_to_predict(state);
     return;
   }
   render_pictures(state, sitting.open, sitting.step);

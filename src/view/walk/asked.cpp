@@ -1,5 +1,6 @@
 #include "view/walk/asked.h"
 
+#include "view/document/document.h"
 #include "view/text/text.h"
 #include "view/walk/fault.h"
 
@@ -99,6 +100,10 @@ bool question_waits(const State& state) {
   if (!state.lessons.shown || !is_open_question(state.lessons) || state.walk.mode != Mode::trace) return false;
   const PlayedStep& step = *state.lessons.at();
   return state.walk.position == step.asked && is_staged(state);
+}
+
+void ask_to_predict(State& state) {
+  inform(state, std::string(text("lesson.predict_first", state.appearance.language)));
 }
 
 bool withholds_answer(const State& state) {

@@ -21,6 +21,9 @@ namespace raywalk {
 /// walks freely.)
 [[nodiscard]] bool question_waits(const State& state);
 
+/// Says that the answer is shown to who has predicted it.
+void ask_to_predict(State& state);
+
 /// Whether the answer of an open question would be in sight here, if it were shown: where the walk is asked about, and
 /// in Move, whatever the scene is by then.
 [[nodiscard]] bool withholds_answer(const State& state);

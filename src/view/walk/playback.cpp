@@ -69,7 +69,7 @@ namespace {
 /// asks for that by Reveal.
 void show_predicted(State& state) {
   if (state.lessons.guess.any() || state.lessons.presenter) return action::RevealLesson{}.apply(state);
-  inform(state, std::string(text("lesson.predict_first", state.appearance.language)));
+  ask_to_predict(state);
 }
 
 }  // namespace
