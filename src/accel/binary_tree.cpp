@@ -44,12 +44,12 @@ class Builder {
       const LaneBox box(item.box);
       whole.include(box);
       centres.include_point(box.centre());
-      root.count += Tally::of(item);
+      root.count += ItemCounts::of(item);
     });
     root.box = whole.bounds();
     tree_.chance = MeetingChance(whole);
-    // Without triangles the tree is one of areas, and stays the one it was (wide_tree.cpp).
-    if (root.count.packed == 0) tree_.chance.per_volume = 0, cost_of_split_ = Tally::cost_of_node;
+    // Without triangles by areas alone, at the costs of a Bvh: beams are cut in the order of its faces (wide_tree.cpp).
+    if (root.count.packed == 0) tree_.chance.per_volume = 0, cost_of_split_ = ItemCounts::cost_of_node;
     if (quality_ == BuildQuality::best && corners) splitter_.emplace(corners, tree_.chance);
     tree_.items.reserve(waiting_.size());
     // About as many as there will be, so that the list is seldom copied.
@@ -87,7 +87,7 @@ class Builder {
     build_.stop.each(begin, end, [&](const TreeItem& item) {
       const LaneMask at = binning.of(item);
       const LaneBox box(item.box);
-      const Tally one = Tally::of(item);
+      const ItemCounts one = ItemCounts::of(item);
       for (std::size_t axis = axes.first; axis < axes.end; ++axis) {
         Bin& bin = all[axis][static_cast<std::size_t>(at[axis])];
         bin.box.include(box);
@@ -172,7 +172,7 @@ class Builder {
         Bin& side = item < middle ? right : left;
         const LaneBox box(item->box);
         side.box.include(box);
-        side.count += Tally::of(*item);
+        side.count += ItemCounts::of(*item);
         (item < middle ? right_centres : left_centres).include_point(box.centre());
       }
       if (told) told->axis = -1;

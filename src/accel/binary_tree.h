@@ -15,14 +15,14 @@ namespace raywalk {
 /// An inner node, whose children are at left and left + 1, or a leaf, whose items are [first, first + count).
 struct BinaryNode {
   Bounds<float> box;
-  Tally count;
+  ItemCounts count;
   std::uint32_t left = 0;  ///< 0: a leaf
   std::uint32_t first = 0;
   [[nodiscard]] bool leaf() const { return left == 0; }
 };
 
-/// Built top-down over bins by what both sides of a plane are expected to cost as leaves (I. Wald, "On fast
-/// construction of SAH-based bounding volume hierarchies", 2007).
+/// Built top-down over bins by the surface area heuristic (MeetingChance), what both sides of a plane are expected to
+/// cost as leaves (I. Wald, "On fast construction of SAH-based bounding volume hierarchies", 2007).
 struct BinaryTree {
   /// Over items with finite, non-empty boxes, at least one. With `corners`, space may be split too where the best
   /// quality is asked for.

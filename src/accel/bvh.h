@@ -27,11 +27,11 @@ class Bvh {
  public:
   explicit Bvh(const PrimitiveBounds<T>& boxes, const BuildOptions& build = {}) : ids_(boxes.bounded) {
     if (ids_.empty()) return;
-    std::vector<BinaryNode> binary_nodes;
-    binary_nodes.reserve(2 * ids_.size());
-    binary_nodes.push_back({boxes.whole, 0, static_cast<int>(ids_.size())});
-    split(binary_nodes, 0, boxes, 0, build);
-    collapse(binary_nodes, 0, 0, build);
+    std::vector<SplitNode> split_nodes;
+    split_nodes.reserve(2 * ids_.size());
+    split_nodes.push_back({boxes.whole, 0, static_cast<int>(ids_.size())});
+    split(split_nodes, 0, boxes, 0, build);
+    collapse(split_nodes, 0, 0, build);
     nodes_.shrink_to_fit();
   }
 
@@ -80,8 +80,9 @@ class Bvh {
       return count;
     }
   };
-  /// A node of the binary tree. A leaf has count > 0; an inner node's children are at first and first + 1.
-  struct BinaryNode {
+  /// A node of the binary tree, with a box in T, where those of a BinaryTree are in float. A leaf has count > 0; an
+  /// inner node's children are at first and first + 1.
+  struct SplitNode {
     Bounds<T> box;
     int first = 0, count = 0;
     [[nodiscard]] bool leaf() const { return count > 0; }
@@ -180,7 +181,7 @@ class Bvh {
   }
 
   /// Collapses the binary node at `index` and its descendants into wide nodes; returns its index.
-  std::int32_t collapse(const std::vector<BinaryNode>& binary_nodes, int index, int depth, const BuildOptions& build) {
+  std::int32_t collapse(const std::vector<SplitNode>& split_nodes, int index, int depth, const BuildOptions& build) {
     build.stop.check();
     // The largest inner node is replaced by its children until there are four nodes or only leaves.
     std::array<int, 4> open{index};
@@ -188,12 +189,12 @@ class Bvh {
     while (count < open.size()) {
       int* largest = nullptr;
       for (std::size_t i = 0; i < count; ++i) {
-        const auto binary = [&](int at) -> const BinaryNode& { return binary_nodes[static_cast<std::size_t>(at)]; };
+        const auto binary = [&](int at) -> const SplitNode& { return split_nodes[static_cast<std::size_t>(at)]; };
         if (binary(open[i]).leaf()) continue;
         if (largest == nullptr || half_area(binary(open[i]).box) > half_area(binary(*largest).box)) largest = &open[i];
       }
       if (largest == nullptr) break;
-      const int children = binary_nodes[static_cast<std::size_t>(*largest)].first;
+      const int children = split_nodes[static_cast<std::size_t>(*largest)].first;
       *largest = children;
       open[count++] = children + 1;
     }
@@ -201,19 +202,19 @@ class Bvh {
     const auto place = nodes_.size();
     nodes_.emplace_back();
     if (build.watcher != nullptr) {
-      BuildStep step{.kind = BuildStep::Kind::joined, .box = wide(binary_nodes[static_cast<std::size_t>(index)].box)};
+      BuildStep step{.kind = BuildStep::Kind::joined, .box = wide(split_nodes[static_cast<std::size_t>(index)].box)};
       step.depth = depth, step.items = static_cast<int>(count);
       for (std::size_t i = 0; i < count; ++i) {
-        const BinaryNode& binary = binary_nodes[static_cast<std::size_t>(open[i])];
+        const SplitNode& binary = split_nodes[static_cast<std::size_t>(open[i])];
         step.parts.push_back({wide(binary.box), binary.count});
       }
       build.watcher->add(std::move(step));
     }
     for (std::size_t i = 0; i < count; ++i) {
-      const BinaryNode& binary = binary_nodes[static_cast<std::size_t>(open[i])];
+      const SplitNode& binary = split_nodes[static_cast<std::size_t>(open[i])];
       nodes_[place].boxes.set(i, binary.box);
       const Child child = binary.leaf() ? Child{binary.first, binary.count}
-                                        : Child{collapse(binary_nodes, open[i], depth + 1, build), 0};
+                                        : Child{collapse(split_nodes, open[i], depth + 1, build), 0};
       nodes_[place].children[i] = child;
     }
     return static_cast<std::int32_t>(place);
@@ -224,9 +225,9 @@ class Bvh {
     int count = 0;
   };
 
-  void split(std::vector<BinaryNode>& binary_nodes, int index, const PrimitiveBounds<T>& boxes, int depth,
+  void split(std::vector<SplitNode>& split_nodes, int index, const PrimitiveBounds<T>& boxes, int depth,
              const BuildOptions& build) {
-    const BinaryNode node = binary_nodes[static_cast<std::size_t>(index)];
+    const SplitNode node = split_nodes[static_cast<std::size_t>(index)];
     std::optional<BuildStep> told;
     if (build.watcher != nullptr) {
       told = {.kind = BuildStep::Kind::leaf, .box = wide(node.box), .depth = depth};
@@ -294,21 +295,21 @@ class Bvh {
       if (told) told->axis = -1;
     }
     const int left_count = static_cast<int>(middle - begin);
-    const int left = static_cast<int>(binary_nodes.size());
-    binary_nodes.push_back({box_of(begin, middle, boxes), node.first, left_count});
-    binary_nodes.push_back({box_of(middle, end, boxes), node.first + left_count, node.count - left_count});
-    binary_nodes[static_cast<std::size_t>(index)].first = left;
-    binary_nodes[static_cast<std::size_t>(index)].count = 0;
+    const int left = static_cast<int>(split_nodes.size());
+    split_nodes.push_back({box_of(begin, middle, boxes), node.first, left_count});
+    split_nodes.push_back({box_of(middle, end, boxes), node.first + left_count, node.count - left_count});
+    split_nodes[static_cast<std::size_t>(index)].first = left;
+    split_nodes[static_cast<std::size_t>(index)].count = 0;
     if (told) {
       told->kind = BuildStep::Kind::split;
       for (const int side : {left, left + 1}) {
-        const BinaryNode& binary = binary_nodes[static_cast<std::size_t>(side)];
+        const SplitNode& binary = split_nodes[static_cast<std::size_t>(side)];
         told->parts.push_back({wide(binary.box), binary.count});
       }
       build.watcher->add(std::move(*told));
     }
-    split(binary_nodes, left, boxes, depth + 1, build);
-    split(binary_nodes, left + 1, boxes, depth + 1, build);
+    split(split_nodes, left, boxes, depth + 1, build);
+    split(split_nodes, left + 1, boxes, depth + 1, build);
   }
 
   template <class Iterator>

@@ -30,7 +30,8 @@ struct LaneBox {
   [[nodiscard]] Bounds<float> bounds() const { return {{min[0], min[1], min[2]}, {max[0], max[1], max[2]}}; }
 };
 
-/// How likely a ray is to meet a box within another: the less a tree costs by it, the better it is.
+/// How likely a ray is to meet a box within another, as the surface area heuristic wants to know: the less a tree costs
+/// by it, the better it is.
 ///
 /// Of the lines through the outer box, as many meet the inner one as its part of the area says (J. Goldsmith and J.
 /// Salmon 1987). A ray is only what lies ahead of its origin, and most begin within the scene. Anywhere on its line,
@@ -62,7 +63,7 @@ struct MeetingChance {
 /// A side of a split, or a part of it.
 struct Bin {
   LaneBox box;
-  Tally count;
+  ItemCounts count;
 };
 
 }  // namespace raywalk

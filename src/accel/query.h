@@ -92,7 +92,7 @@ class Query {
   [[nodiscard]] const TestCounts& counts() const { return counts_; }  ///< previous searches included
 
  protected:
-  std::optional<Intersection<T>> cross(const Primitives<T>& primitives, int id) {
+  std::optional<Intersection<T>> intersect(const Primitives<T>& primitives, int id) {
     if (!accept_(id)) return std::nullopt;
     ++counts_.primitives;
     // The full t_max, not the nearest t so far: a tie must be seen to be decided.
@@ -100,13 +100,13 @@ class Query {
   }
   /// The same for a triangle that neither moves nor is degenerate, given its coordinates (intersect_corners).
   template <class Coordinate>
-  std::optional<Intersection<T>> cross(const Primitives<T>& primitives, int id, const Coordinate& coordinate) {
+  std::optional<Intersection<T>> intersect(const Primitives<T>& primitives, int id, const Coordinate& coordinate) {
     if (!accept_(id)) return std::nullopt;
     ++counts_.primitives;
     return primitives.intersect_triangle(id, coordinate, *sheared_, ray_, t_max_, counts_);
   }
   /// The same for the triangle of a copy, given as it is placed.
-  std::optional<Intersection<T>> cross(const Primitives<T>& primitives, int id, const Triangle<T>& placed) {
+  std::optional<Intersection<T>> intersect(const Primitives<T>& primitives, int id, const Triangle<T>& placed) {
     if (!accept_(id)) return std::nullopt;
     ++counts_.primitives;
     return primitives.intersect_copied(id, placed, *sheared_, ray_, t_max_, counts_);
@@ -130,7 +130,7 @@ class ClosestQuery : public Query<T, Accept, AnyRay> {
   /// Tests one primitive; true when the search is over. `triangle`: nothing, or what `cross` takes of a triangle.
   template <class... KnownTriangle>
   bool test(const Primitives<T>& primitives, int id, const KnownTriangle&... triangle) {
-    const auto intersection = this->cross(primitives, id, triangle...);
+    const auto intersection = this->intersect(primitives, id, triangle...);
     if (!intersection || !(intersection->t < hit_.t || (intersection->t == hit_.t && id < hit_.primitive)))
       return false;
     constexpr T margin = 1 + 4096 * std::numeric_limits<T>::epsilon();
@@ -163,7 +163,7 @@ class OcclusionQuery : public Query<T, AnyPrimitive, AnyRay> {
 
   template <class... KnownTriangle>
   bool test(const Primitives<T>& primitives, int id, const KnownTriangle&... triangle) {
-    if (this->cross(primitives, id, triangle...)) found_ = id;
+    if (this->intersect(primitives, id, triangle...)) found_ = id;
     return found();
   }
   /// One that is certainly hit; false if it takes its test to tell.
@@ -195,7 +195,7 @@ class FilteredOcclusionQuery : public Query<T, AnyPrimitive, AnyRay> {
   template <class... KnownTriangle>
   bool test(const Primitives<T>& primitives, int id, const KnownTriangle&... triangle) {
     const ShadowRole role = role_of(roles_, id);
-    if (role == ShadowRole::ignored || !this->cross(primitives, id, triangle...)) return false;
+    if (role == ShadowRole::ignored || !this->intersect(primitives, id, triangle...)) return false;
     if (role == ShadowRole::filters) {
       filters_.push_back(id);
       return false;

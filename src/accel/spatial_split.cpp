@@ -88,7 +88,7 @@ Bounds<float> SpatialSplitter::clipped(const TreeItem& item, int axis, float low
 SpatialPlane SpatialSplitter::cheapest(std::span<const TreeItem> items, const Bounds<float>& box) const {
   const std::array<Slabs, 3> all{Slabs(box, 0), Slabs(box, 1), Slabs(box, 2)};
   std::array<std::array<LaneBox, slabs>, 3> boxes;
-  std::array<std::array<Tally, slabs>, 3> begun, ended;
+  std::array<std::array<ItemCounts, slabs>, 3> begun, ended;
   for (const TreeItem& item : items) {
     std::array<Lanes, 3> corners;
     if (item.packed != 0) {
@@ -102,8 +102,8 @@ SpatialPlane SpatialSplitter::cheapest(std::span<const TreeItem> items, const Bo
       if (!own.any()) continue;
       const auto at = static_cast<std::size_t>(axis);
       const std::size_t first = own.of(item.box.min[axis]), last = own.of(item.box.max[axis]);
-      begun[at][first] += Tally::of(item);
-      ended[at][last] += Tally::of(item);
+      begun[at][first] += ItemCounts::of(item);
+      ended[at][last] += ItemCounts::of(item);
       if (item.packed != 0) {
         chop(item, corners, own, axis, boxes[at]);
         continue;
@@ -145,7 +145,7 @@ SpatialSplitter::Sides SpatialSplitter::part(std::span<const TreeItem> items, co
   std::vector<Straddling> both;
   const auto add = [](const TreeItem& item, std::vector<TreeItem>& list, Bin& side) {
     list.push_back(item);
-    side.box.include(LaneBox(item.box)), side.count += Tally::of(item);
+    side.box.include(LaneBox(item.box)), side.count += ItemCounts::of(item);
   };
   for (const TreeItem& item : items) {
     if (item.box.max[plane.axis] <= plane.at) {
@@ -165,8 +165,8 @@ SpatialSplitter::Sides SpatialSplitter::part(std::span<const TreeItem> items, co
     }
   }
   for (const Straddling& each : both) {
-    sides.left.box.include(LaneBox(each.left.box)), sides.left.count += Tally::of(each.left);
-    sides.right.box.include(LaneBox(each.right.box)), sides.right.count += Tally::of(each.right);
+    sides.left.box.include(LaneBox(each.left.box)), sides.left.count += ItemCounts::of(each.left);
+    sides.right.box.include(LaneBox(each.right.box)), sides.right.count += ItemCounts::of(each.right);
   }
   for (const Straddling& each : both) {
     const auto with = [&](const Bin& side) {
@@ -175,11 +175,11 @@ SpatialSplitter::Sides SpatialSplitter::part(std::span<const TreeItem> items, co
       return box;
     };
     const auto without = [&](const Bin& side) {
-      Tally count = side.count;
-      return count -= Tally::of(each.whole);
+      ItemCounts count = side.count;
+      return count -= ItemCounts::of(each.whole);
     };
     // One by one, for a single item rarely fills another pack.
-    const auto cost = [&](const LaneBox& box, const Tally& count) {
+    const auto cost = [&](const LaneBox& box, const ItemCounts& count) {
       return chance_(box) * static_cast<float>(count.all());
     };
     const float split = cost(sides.left.box, sides.left.count) + cost(sides.right.box, sides.right.count);

@@ -41,7 +41,7 @@ class SpatialSplitter {
  private:
   /// The box of the part of an item between two planes, rounded out; empty where nothing of it lies there.
   [[nodiscard]] Bounds<float> clipped(const TreeItem& item, int axis, float low, float high) const;
-  [[nodiscard]] float cost(const LaneBox& box, const Tally& count) const {
+  [[nodiscard]] float cost(const LaneBox& box, const ItemCounts& count) const {
     return chance_(box) * count.expected_cost();
   }
 

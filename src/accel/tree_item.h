@@ -18,10 +18,10 @@ struct alignas(32) TreeItem {
 
 /// How many items there are of each kind, and what a leaf of them costs, in tests of one primitive: triangles are
 /// tested together, others one by one.
-struct Tally {
+struct ItemCounts {
   std::int32_t packed = 0, others = 0;
 
-  static Tally of(const TreeItem& item) { return {item.packed, 1 - item.packed}; }
+  static ItemCounts of(const TreeItem& item) { return {item.packed, 1 - item.packed}; }
   [[nodiscard]] std::int32_t all() const { return packed + others; }
   [[nodiscard]] float leaf_cost() const {
     constexpr auto lanes = static_cast<std::int32_t>(tree_width);
@@ -36,11 +36,11 @@ struct Tally {
   [[nodiscard]] bool fits_leaf() const {
     return others <= most_listed && (packed == 0 || all() <= static_cast<std::int32_t>(tree_width));
   }
-  Tally& operator+=(const Tally& more) {
+  ItemCounts& operator+=(const ItemCounts& more) {
     packed += more.packed, others += more.others;
     return *this;
   }
-  Tally& operator-=(const Tally& fewer) {
+  ItemCounts& operator-=(const ItemCounts& fewer) {
     packed -= fewer.packed, others -= fewer.others;
     return *this;
   }

@@ -13,9 +13,10 @@ namespace raywalk {
 
 class WideTree::Builder {
  public:
-  /// Whether what it costs is searched for the least. Not without triangles: what beams see is cut into pieces in the
-  /// order in which their faces come (trace/beam_faces.h), so that another tree over them is another picture.
-  static bool mends(const BinaryTree& binary) { return binary.nodes[0].count.packed > 0; }
+  /// Whether the collapse of the least expected cost is searched for. Not without triangles: what beams see is cut into
+  /// pieces in the order in which their faces come (trace/beam_faces.h), so that another tree over them is another
+  /// picture.
+  static bool optimises(const BinaryTree& binary) { return binary.nodes[0].count.packed > 0; }
 
   Builder(WideTree& tree, const BinaryTree& binary, const BuildOptions& build)
       : tree_(tree), binary_(binary), build_(build) {
@@ -27,7 +28,7 @@ class WideTree::Builder {
     }
     tree_.packs_.reserve(packs);
     tree_.ids_.reserve(listed);
-    if (mends(binary_)) {
+    if (optimises(binary_)) {
       shares_.resize(binary_.nodes.size());
       share(0);
     }
@@ -67,7 +68,7 @@ class WideTree::Builder {
       }
       return least;
     };
-    costs[0] = chance * Tally::cost_of_node + cheapest(tree_width);
+    costs[0] = chance * ItemCounts::cost_of_node + cheapest(tree_width);
     for (std::size_t children = 2; children < tree_width; ++children) {
       costs[children - 1] = cheapest(children);
       if (costs[children - 1] < costs[children - 2]) continue;
@@ -131,7 +132,7 @@ class WideTree::Builder {
   std::uint32_t collapse(std::uint32_t index, int depth) {
     build_.stop.check();
     const auto [open, count] = opened(index);
-    add_cost(binary_.nodes[index], Tally::cost_of_node);
+    add_cost(binary_.nodes[index], ItemCounts::cost_of_node);
     tree_.depth_ = std::max(tree_.depth_, depth);
     const std::size_t place = tree_.nodes_.size();
     WideNode& node = tree_.nodes_.emplace_back();
@@ -197,7 +198,7 @@ WideTree::WideTree(std::vector<TreeItem> items, const BuildOptions& build, const
     unsplit = WideTree(items, good);
   }
   BinaryTree binary(std::move(items), build, corners);
-  if (quality != BuildQuality::fast && Builder::mends(binary)) reinsert_subtrees(binary, build.stop);
+  if (quality != BuildQuality::fast && Builder::optimises(binary)) reinsert_subtrees(binary, build.stop);
   Builder(*this, binary, build);
   if (unsplit.empty() || expected_cost_ < unsplit.expected_cost_) return;
   *this = std::move(unsplit);

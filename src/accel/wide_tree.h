@@ -8,6 +8,7 @@
 #include "math/bounds.h"
 
 #include <array>
+#include <cassert>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -20,7 +21,10 @@ namespace raywalk {
 class TreeChild {
  public:
   TreeChild() = default;  ///< means nothing: stacks of searches are not filled
-  static TreeChild node(std::uint32_t index) { return TreeChild(index); }
+  static TreeChild node(std::uint32_t index) {
+    assert(index <= most);
+    return TreeChild(index);
+  }
   static TreeChild pack(std::uint32_t index, std::uint32_t count) { return leaf(packed, index, count); }
   static TreeChild list(std::uint32_t first, std::uint32_t count) { return leaf(listed, first, count); }
 
@@ -36,6 +40,7 @@ class TreeChild {
   static constexpr std::uint32_t packed = 1U << 31, listed = 1U << 30, shift = 27;
   explicit TreeChild(std::uint32_t bits) : bits_(bits) {}
   static TreeChild leaf(std::uint32_t kind, std::uint32_t index, std::uint32_t count) {
+    assert(index <= most && count - 1 < tree_width);
     return TreeChild(kind | (count - 1) << shift | index);
   }
   std::uint32_t bits_;

@@ -106,8 +106,8 @@ void BeamTracer<Watcher>::meet(Part& part, const Beam& beam, const Place& place)
   if (part.has_mean)
     part.ambient *= mean.pattern(hit, {}, part.ray.time);
   else
-    texture(part.ambient, *part.at->surface, world_.accelerator.primitives(), hit.primitive,
-            SurfacePoint<double>{part.at->position, part.at->outward_normal}, hit.part, part.ray.time);
+    apply_pattern(part.ambient, *part.at->surface, world_.accelerator.primitives(), hit.primitive,
+                  SurfacePoint<double>{part.at->position, part.at->outward_normal}, hit.part, part.ray.time);
 }
 
 template <class Watcher>

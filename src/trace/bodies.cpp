@@ -68,10 +68,10 @@ class Sorter {
  public:
   explicit Sorter(const World<T>& world) : world_(world), primitives_(world.accelerator.primitives()) {
     bodies_.of.assign(static_cast<std::size_t>(primitives_.own_size()), -1);
-    std::size_t leaf = 0;
+    std::size_t range = 0;
     for (int id = 0; id < primitives_.own_size(); ++id) {
-      while (leaf < world.leaves.size() && world.leaves[leaf].first <= id) ++leaf;
-      if (world.surface(id).transmits) add(id, world.leaves.empty() ? id : static_cast<int>(leaf));
+      while (range < world.ranges.size() && world.ranges[range].first <= id) ++range;
+      if (world.surface(id).transmits) add(id, world.ranges.empty() ? id : static_cast<int>(range));
     }
     merge_twins();
   }
@@ -80,15 +80,15 @@ class Sorter {
   [[nodiscard]] const std::vector<Region<T>>& regions() const { return regions_; }
 
  private:
-  void add(int id, int leaf) {
+  void add(int id, int range) {
     const auto surface = static_cast<std::int32_t>(&world_.surface(id) - world_.surfaces.data());
     const bool single = id < primitives_.shape_count();
     const std::optional<Shape<T>> shape = single ? std::optional(primitives_.shape(id)) : std::nullopt;
     const bool flat = shape && (std::holds_alternative<Disk<T>>(*shape) || std::holds_alternative<Polygon<T>>(*shape) ||
                                 std::holds_alternative<Triangle<T>>(*shape));
-    if (leaf != leaf_) leaf_ = leaf, of_leaf_.clear();
+    if (range != range_) range_ = range, of_range_.clear();
     std::int32_t& known = flat ? of_glass_.try_emplace(glass(surface), -1).first->second
-                               : of_leaf_.try_emplace(surface, -1).first->second;
+                               : of_range_.try_emplace(surface, -1).first->second;
     if (known < 0) {
       known = static_cast<std::int32_t>(bodies_.list.size());
       bodies_.list.push_back({surface, world_.surface(id).priority, false});
@@ -139,8 +139,8 @@ class Sorter {
   const Primitives<T>& primitives_;
   Bodies bodies_;
   std::vector<Region<T>> regions_;  ///< by body
-  int leaf_ = -1;
-  std::map<std::int32_t, std::int32_t> of_leaf_;               ///< bodies by surface
+  int range_ = -1;
+  std::map<std::int32_t, std::int32_t> of_range_;              ///< bodies by surface
   std::map<std::pair<Glass, double>, std::int32_t> of_glass_;  ///< those of flat shapes
 };
 

@@ -119,8 +119,8 @@ struct Bsdf : std::conditional_t<with_facets, FacetLobes<T>, NoFacetLobes>,
   [[nodiscard]] bool absorbs() const { return lobes_ == 0; }
   /// With which `sample_lobe` returns this one.
   [[nodiscard]] T probability(Lobe lobe) const { return probabilities_[static_cast<std::size_t>(lobe)]; }
-  /// With which what `sample` makes of this lobe is drawn: of rough glass, its facets choose between mirror and
-  /// transparent.
+  /// With which `sample` is asked for this lobe; of rough glass, whose facets choose between mirror and transparent,
+  /// for either.
   [[nodiscard]] T probability_of_choice(Lobe lobe) const {
     return is_glass(lobe) ? probability(Lobe::mirror) + probability(Lobe::transparent) : probability(lobe);
   }

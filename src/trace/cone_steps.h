@@ -151,7 +151,8 @@ void ConeTracer<T, Watcher, with_maps>::meet(Part& part, const Cone& cone) {
   if (differential.filters(surface))
     part.ambient *= differential.pattern(hit, point, part.ray.time);
   else
-    texture(part.ambient, surface, world_.accelerator.primitives(), hit.primitive, point, hit.part, part.ray.time);
+    apply_pattern(part.ambient, surface, world_.accelerator.primitives(), hit.primitive, point, hit.part,
+                  part.ray.time);
 }
 
 template <class T, class Watcher, bool with_maps>

@@ -169,13 +169,7 @@ std::optional<Ending> PhotonTracer<Policy>::aim_at_light(LightSample& light_samp
   const Vec3<T> l = to_light * (1 / distance);
   Rgb<T> radiance = light.strength * (1 / light.attenuation(distance));
   if (!light.is_isotropic) radiance *= light.falloff(l);
-  Rgb<T> answers = behind ? Rgb<T>(0) : bsdf.diffuse_answer(l, dot(bsdf.shading_normal, l));
-  if (!behind && !is_black(at.specular)) {
-    const Vec3<T> h = l - bsdf.incident;
-    const T n_h = std::max(dot(bsdf.shading_normal, h) / length(h), T(0));
-    answers += at.specular * power(n_h, bsdf.shininess);
-  }
-  if constexpr (Policy::effects.microfacets) answers += bsdf.highlight_of_facets(l);
+  const Rgb<T> answers = answers_to_light(at, l, behind);
   light_sample.contribution = at.throughput * radiance * answers;
   return std::nullopt;
 }
@@ -395,6 +389,8 @@ auto PhotonTracer<Policy>::choose_direction(const EyeRay& ray, const Vertex& at)
 template <class Policy>
 auto PhotonTracer<Policy>::decide_survival(const EyeRay& ray, const Vertex& at, const std::optional<BsdfSample>& choice)
     -> T {
+  // Later than of paths (PathSettings): few rays go on here, off mirrors and through glass, and an end is seen as
+  // noise.
   constexpr int roulette_from = 8;
   T survival = choice ? 1 : 0;
   std::optional<Ending> why;

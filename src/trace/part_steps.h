@@ -23,10 +23,10 @@ template <class T>
     if (object >= first.size()) first.resize(object + 1, -1);
     if (first[object] < 0) first[object] = id;
   };
-  if (world.leaves.empty())
+  if (world.ranges.empty())
     for (int id = 0; id < world.accelerator.primitives().size(); ++id) add(id);
-  for (const auto& leaf : world.leaves)
-    if (leaf.first < world.accelerator.primitives().size()) add(leaf.first);  // the last may be an empty mesh
+  for (const auto& range : world.ranges)
+    if (range.first < world.accelerator.primitives().size()) add(range.first);  // the last may be an empty mesh
   return first;
 }
 

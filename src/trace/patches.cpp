@@ -128,9 +128,11 @@ std::optional<Error> why_no_patches(const Scene& scene, const Stop& stop) {
   for (const Object& top : scene.objects)
     for_each_shape(top, [&](const Object& object) {
       if (error) return;
-      const std::string of = object.name == top.name ? "" : ", in " + quoted(top.name) + ",";
+      const std::string of = object.name == top.name ? "" : ", in " + quoted(top.name);
       if (is_endless(object))
-        error = Error{"", 0, 0, "radiosity cannot cut " + quoted(object.name) + of + " into patches: it is endless",
+        error = Error{"", 0, 0,
+                      "radiosity cannot cut " + quoted(object.name) + of + (of.empty() ? "" : ",") +
+                          " into patches: it is endless",
                       "a flat_polygon or a box as large as what is seen of it has an end"};
       else if (!object.motion.empty() || !top.motion.empty())
         error = Error{"", 0, 0, "radiosity cannot light " + quoted(object.name) + of + ": it moves",
@@ -264,10 +266,10 @@ Patches::Colours Patches::mean_colours(const Patch& patch, const World<double>::
     SurfaceValues<double> its = surface;
     if (maps != nullptr) {
       auto mixture = maps->at(primitives.uv_at(patch.primitive, at, patch.part));
-      texture(mixture.first.diffuse, surface, primitives, patch.primitive, at, patch.part);
+      apply_pattern(mixture.first.diffuse, surface, primitives, patch.primitive, at, patch.part);
       its = maps->mixed(mixture);
     } else {
-      texture(its.diffuse, surface, primitives, patch.primitive, at, patch.part);
+      apply_pattern(its.diffuse, surface, primitives, patch.primitive, at, patch.part);
     }
     sum.emission += its.emission, sum.reflectance += its.diffuse;
   }

@@ -216,7 +216,7 @@ class PathTracer {
     if constexpr (media) return at.phase.has_value();
     return false;
   }
-  /// What of the light that comes out by the dipole goes in a direction, over the mean of all; elsewhere 1.
+  /// The share of the light let out by the dipole that goes in a direction, over the mean of all; elsewhere 1.
   [[nodiscard]] static T leaving(const Vertex& at, const Vec3<T>& direction) {
     if constexpr (dipoles)
       if (at.left_by != nullptr) return at.left_by->leaving(std::max(dot(at.outward_normal, direction), T(0)));

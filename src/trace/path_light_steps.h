@@ -99,13 +99,7 @@ std::optional<Ending> PathTracer<Policy>::aim_at_light(LightSample& light_sample
     light_sample.contribution = at.throughput * radiance * (pi_v<T> * evaluate(at, l).value);
     return std::nullopt;
   }
-  Rgb<T> answers = behind ? Rgb<T>(0) : bsdf.diffuse_answer(l, dot(bsdf.shading_normal, l));
-  if (!behind && !is_black(at.specular)) {
-    const Vec3<T> h = l - bsdf.incident;
-    const T n_h = std::max(dot(bsdf.shading_normal, h) / length(h), T(0));
-    answers += at.specular * power(n_h, bsdf.shininess);
-  }
-  if constexpr (Policy::effects.microfacets) answers += bsdf.highlight_of_facets(l);
+  Rgb<T> answers = answers_to_light(at, l, behind);
   if constexpr (dipoles) answers *= leaving(at, l);
   light_sample.contribution = at.throughput * radiance * answers;
   return std::nullopt;

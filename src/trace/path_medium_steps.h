@@ -110,7 +110,7 @@ auto PathTracer<Policy>::sample_phase(const Vertex& at) -> raywalk::BsdfSample<T
 }
 
 /// The first thing that a shadow ray hits other than what is seamless, and the transmittance up to there. Seamless
-/// surfaces do not bend it, but the medium changes there.
+/// surfaces do not bend it, but the medium changes there. Where it does not end, nothing gets through.
 template <class Policy>
 auto PathTracer<Policy>::closest_through_media(const LightSample& light_sample, Rgb<T>& transmittance) -> Nearest {
   struct Straight {
@@ -119,7 +119,8 @@ auto PathTracer<Policy>::closest_through_media(const LightSample& light_sample, 
   };
   Straight rest{light_sample.ray, light_sample.medium};
   rest.ray.direction = normalize(rest.ray.direction);
-  for (;;) {
+  for (int crossings = 0; crossings < crossings_limit; ++crossings) {
+    stop_.check();
     Nearest nearest = world_.accelerator.closest(rest.ray, infinity<T>, statistics_.tests);
     if (!nearest) {
       transmittance *= transmittance_to_nothing<T>(rest.medium);
@@ -148,6 +149,8 @@ auto PathTracer<Policy>::closest_through_media(const LightSample& light_sample, 
                            rest.ray.direction, rest.ray.time),
             beyond};
   }
+  transmittance = Rgb<T>(0);
+  return std::nullopt;
 }
 
 }  // namespace raywalk

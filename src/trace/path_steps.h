@@ -246,7 +246,7 @@ auto PathTracer<Policy>::decide_survival(const PathRay& ray, const Vertex& at, c
     if (ray.length >= settings_.roulette_from) {
       // So that every path terminates. Inside of a medium it gets out some time; few are the paths that go far, and
       // these must not count for many.
-      const T most = is_inside(at) ? T(1) : T(0.95);
+      const T most = is_inside(at) ? T(1) : static_cast<T>(detail::surest);
       survival = std::min(max_component(at.throughput * choice->weight), most);
       const T u = draw<T>(camera_.sampler(), key_at(at.length, detail::PathDimension::roulette), camera_.count());
       statistics_.drew(Effect::indirect_light, 1);

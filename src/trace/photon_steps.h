@@ -21,8 +21,6 @@ struct PhotonDimension {
 };
 /// Where no pixel is: the keys of photons.
 inline constexpr std::int32_t pixel_of_photons = std::numeric_limits<std::int32_t>::min();
-/// No photon and no ray goes on for sure, so that each ends some time.
-inline constexpr double surest = 0.95;
 
 }  // namespace detail
 
@@ -51,7 +49,7 @@ auto PhotonTracer<Policy>::emit_photon() -> PhotonRay {
   if constexpr (Policy::effects.nesting) photon.medium = nested_.at_start(photon.ray, statistics_.tests);
   inject<Policy>(world_, Fault::power_of_another_pass, [&] { photon.throughput *= T(2); });
   if constexpr (std::is_same_v<Ray, NaiveRay<T>>) {
-    // Off the emitter, as all naive rays start.
+    // Off the emitter, along the ray itself: at a flat angle it stays nearer than what spawn_ray forms.
     if (emitted.departure.primitive >= 0) photon.ray.origin += world_.epsilon * emitted.direction;
   }
   ++statistics_.formed(RayKind::photon);
@@ -177,7 +175,8 @@ auto PhotonTracer<Policy>::choose_photon_direction(const PhotonRay& photon, cons
     }
     choice = sample_alone(at.bsdf, lobe, unit, u);
     choice->weight *= adjoint(at, choice->lobe, choice->direction) / at.bsdf.probability_of_choice(lobe);
-    if (!(max_component(choice->weight) > 0)) choice.reset();
+    // Along a surface, the power of what is sent on would be infinite.
+    if (const T most = max_component(choice->weight); !(most > 0) || std::isinf(most)) choice.reset();
   }
   note(Line::photon_choose_direction, photon.length, [&] {
     if (!choice) return DirectionChosen{true};

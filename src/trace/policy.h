@@ -93,21 +93,21 @@ inline constexpr std::size_t few_lights = 64;
 
 /// `lights`: how many the world has. `nesting`: whether it has bodies that can nest.
 [[nodiscard]] inline HitEffects hit_effects(const Effects& effects, std::size_t lights, bool nesting) {
-  return {effects.used(Effect::reflection),
-          effects.used(Effect::refraction),
-          effects.used(Effect::textures),
-          effects.used(Effect::penumbra) || lights > few_lights,
-          effects.used(Effect::gloss) || effects.used(Effect::translucency),
-          effects.used(Effect::shadows),
-          nesting,
-          true,
-          effects.used(Effect::scattering),
-          effects.used(Effect::sky),
-          effects.used(Effect::filtering),
-          effects.used(Effect::microfacets),
-          effects.used(Effect::maps),
-          false,
-          effects.used(Effect::indirect_light)};
+  return {.reflection = effects.used(Effect::reflection),
+          .refraction = effects.used(Effect::refraction),
+          .textures = effects.used(Effect::textures),
+          .penumbra = effects.used(Effect::penumbra) || lights > few_lights,
+          .lobes = effects.used(Effect::gloss) || effects.used(Effect::translucency),
+          .shadows = effects.used(Effect::shadows),
+          .nesting = nesting,
+          .occlusion = true,
+          .scattering = effects.used(Effect::scattering),
+          .sky = effects.used(Effect::sky),
+          .filtering = effects.used(Effect::filtering),
+          .microfacets = effects.used(Effect::microfacets),
+          .maps = effects.used(Effect::maps),
+          .dipole = false,
+          .bounced = effects.used(Effect::indirect_light)};
 }
 
 /// Everything about the tracer that is fixed when it is compiled.

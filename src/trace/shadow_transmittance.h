@@ -49,6 +49,9 @@ class ChordLength {
   int entered_ = 0;  ///< entries minus exits
 };
 
+/// Surfaces on the way of one ray, more than any shape has: guarantees termination, whatever rounding does.
+inline constexpr int crossings_limit = 10000;
+
 /// The transmittance of primitive `id` for a shadow ray: each crossing multiplies by its filter. `tell` is given the
 /// position of each crossing, and whether the ray exits there.
 template <class T, class AnyRay, class Tell>
@@ -59,7 +62,6 @@ template <class T, class AnyRay, class Tell>
   Rgb<T> transmittance{1};
   AnyRay rest = shadow;
   T t_far = t_max;
-  constexpr int crossings_limit = 10000;  // more than any shape has: guarantees termination whatever rounding does
   for (int crossings = 0; crossings < crossings_limit; ++crossings) {
     ++tests.primitives;
     const auto intersection = primitives.intersect(id, rest, t_far, tests);

@@ -183,8 +183,8 @@ void SpaceBeamTracer<T, Watcher>::meet(Part& part, const Beam& beam, const Vec2d
   if (part.has_mean)
     part.ambient *= pattern.pattern(hit, {}, part.ray.time);
   else
-    texture(part.ambient, *part.at->surface, world_.accelerator.primitives(), hit.primitive,
-            SurfacePoint<T>{part.at->position, part.at->outward_normal}, hit.part, part.ray.time);
+    apply_pattern(part.ambient, *part.at->surface, world_.accelerator.primitives(), hit.primitive,
+                  SurfacePoint<T>{part.at->position, part.at->outward_normal}, hit.part, part.ray.time);
 }
 
 template <class T, class Watcher>

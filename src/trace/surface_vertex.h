@@ -1,15 +1,22 @@
 #pragma once
 // A surface that light arrives at, made ready: where it is, how it scatters, what is on both of its sides.
 
+#include "math/inlining.h"
 #include "trace/bsdf.h"
 #include "trace/media.h"
 #include "trace/policy.h"
 #include "trace/statistics.h"
+#include "trace/surface_pattern.h"
 
 #include <algorithm>
 #include <optional>
 
 namespace raywalk {
+
+namespace detail {
+/// The most that Russian roulette lets survive at a surface, so that each path ends some time.
+inline constexpr double surest = 0.95;
+}  // namespace detail
 
 namespace detail {
 
@@ -49,11 +56,12 @@ struct SurfaceVertex : std::conditional_t<with_maps, MappedVertex<T>, UnmappedVe
   bool entering;
   T time;
   const Surface* surface;
-  int number;                ///< of the ray that led here
-  int length;                ///< number of rays of the path up to here
-  const Medium* medium;      ///< on the side the ray came from, if known
-  const Medium* behind;      ///< behind it
-  Rgb<T> throughput;         ///< the factor with which light that leaves here against the ray contributes to the pixel
+  int number;            ///< of the ray that led here
+  int length;            ///< number of rays of the path up to here
+  const Medium* medium;  ///< on the side the ray came from, if known
+  const Medium* behind;  ///< behind it
+  /// The factor with which light that leaves here against the ray contributes to the pixel; of a photon, its power.
+  Rgb<T> throughput;
   Rgb<T> specular;           ///< ks, for the lights' highlights
   Refraction<T> refraction;  ///< only set where the surface transmits
   Bsdf<T, with_facets, with_facets && with_maps> bsdf;
@@ -66,6 +74,22 @@ struct SurfaceVertex : std::conditional_t<with_maps, MappedVertex<T>, UnmappedVe
   }
 };
 
+/// What the surface sends back along the path of a lamp's light from `l`, of unit length: kd cos and ks (n.h)^s, and
+/// what small mirrors have of it. `behind` rough glass, what that transmits.
+template <class T, bool with_facets, bool with_maps>
+[[nodiscard, RAYWALK_INLINE]] inline Rgb<T> answers_to_light(const SurfaceVertex<T, with_facets, with_maps>& at,
+                                                             const Vec3<T>& l, bool behind) {
+  const auto& bsdf = at.bsdf;
+  Rgb<T> answers = behind ? Rgb<T>(0) : bsdf.diffuse_answer(l, dot(bsdf.shading_normal, l));
+  if (!behind && !is_black(at.specular)) {
+    const Vec3<T> h = l - bsdf.incident;
+    const T n_h = std::max(dot(bsdf.shading_normal, h) / length(h), T(0));
+    answers += at.specular * power(n_h, bsdf.shininess);
+  }
+  if constexpr (with_facets) answers += bsdf.highlight_of_facets(l);
+  return answers;
+}
+
 /// Of a ray that goes on beyond the surface; of rough glass at the facet that turns it there, if one does.
 template <class T, bool with_facets, bool with_maps>
 [[nodiscard]] std::optional<SnellNumbers> snell_numbers(const SurfaceVertex<T, with_facets, with_maps>& at,
@@ -73,19 +97,6 @@ template <class T, bool with_facets, bool with_maps>
   if constexpr (with_facets)
     if (at.bsdf.glass != nullptr) return snell_at_facet(*at.bsdf.glass, at.refraction, at.bsdf.incident, direction);
   return snell_numbers(at.refraction);
-}
-
-/// Multiplies a colour of the surface, such as its diffuse one, by what checker and texture have at a point.
-/// Inlined, for each hit of a path asks it.
-template <class T>
-[[gnu::always_inline]] inline void texture(Rgb<T>& colour, const typename World<T>::Surface& surface,
-                                           const Primitives<T>& primitives, int primitive, const SurfacePoint<T>& point,
-                                           int part, T time = 0) {
-  if (surface.checker) {
-    const bool even = even_square(primitives.uv_at(primitive, point, part, time), surface.checker->size);
-    colour *= even ? surface.checker->even : surface.checker->odd;
-  }
-  if (surface.texture) colour *= surface.texture->at(primitives.uv_at(primitive, point, part, time));
 }
 
 /// A clear refracted ray whose bent normal would send it back out goes as the surface itself bends it.
@@ -176,7 +187,7 @@ auto prepare_vertex(const World<T>& world, [[maybe_unused]] Nested& nested, cons
         if (differential.filters(surface))
           *colour *= differential.pattern(hit, point, at.time);
         else
-          texture(*colour, surface, primitives, hit.primitive, point, hit.part, at.time);
+          apply_pattern(*colour, surface, primitives, hit.primitive, point, hit.part, at.time);
       }
       its = &at.mapped.emplace(maps->mixed(mixture));
     }
@@ -186,7 +197,7 @@ auto prepare_vertex(const World<T>& world, [[maybe_unused]] Nested& nested, cons
     if (differential.filters(surface))
       bsdf.diffuse *= differential.pattern(hit, point, at.time);
     else
-      texture(bsdf.diffuse, surface, primitives, hit.primitive, point, hit.part, at.time);
+      apply_pattern(bsdf.diffuse, surface, primitives, hit.primitive, point, hit.part, at.time);
   }
   if constexpr (Policy::effects.microfacets) bsdf.matt = world.rough_diffuse(surface);
   at.specular = its->specular;

@@ -3,6 +3,7 @@
 // differs from them here: for most hits nothing. Included by trace/tracer.h alone.
 
 #include "trace/shadow_transmittance.h"
+#include "trace/surface_pattern.h"
 #include "trace/tracer.h"
 
 #include <optional>
@@ -157,13 +158,7 @@ inline auto Tracer<Policy>::prepare(const TreeRay& ray, const Hit<T>& hit) -> Sh
     }
   }
   if constexpr (Policy::effects.textures) {
-    if (surface.checker && !filtered) {
-      const bool even =
-          even_square(primitives.uv_at(hit.primitive, point, hit.part, ray.ray.time), surface.checker->size);
-      at.tint.colour = even ? surface.checker->even : surface.checker->odd;
-    }
-    if (surface.texture && !filtered)
-      at.tint.colour *= surface.texture->at(primitives.uv_at(hit.primitive, point, hit.part, ray.ray.time));
+    if (!filtered) apply_pattern(at.tint.colour, surface, primitives, hit.primitive, point, hit.part, ray.ray.time);
   }
   if constexpr (Policy::effects.maps) {
     if (maps != nullptr) {

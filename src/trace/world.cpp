@@ -135,7 +135,7 @@ class Flattener {
     bool each_its_own = !any_copied && primitives_.size() == static_cast<int>(scene.objects.size());
     for (int id = 0; each_its_own && id < primitives_.size(); ++id)
       each_its_own = world_.object(id) == id && world_.surface_indices[static_cast<std::size_t>(id)] == id;
-    if (each_its_own) world_.objects.clear(), world_.surface_indices.clear(), world_.leaves.clear();
+    if (each_its_own) world_.objects.clear(), world_.surface_indices.clear(), world_.ranges.clear();
   }
 
   [[nodiscard]] Primitives<T> take() { return std::move(primitives_); }
@@ -194,10 +194,10 @@ class Flattener {
   void add_copy(const Object& object, const MeshShape& shape, const Affine<double>& map) {
     primitives_.add_copy(shape.mesh, map, shape.smooth);
     const int own = surface_index(&object.material);
-    typename World<T>::Leaf& leaf = world_.leaves.back();
-    leaf.object = top_;
+    typename World<T>::PrimitiveRange& range = world_.ranges.back();
+    range.object = top_;
     if (!has_own_materials(shape)) {
-      leaf.surface = own;
+      range.surface = own;
       return;
     }
     std::vector<std::int32_t>& surfaces = world_.copied_surfaces;
@@ -205,7 +205,7 @@ class Flattener {
     if (is_new)
       for (const std::int32_t material : shape.mesh->materials)
         surfaces.push_back(surface_of_triangle(shape, material, own));
-    leaf.surfaces = entry->second;
+    range.surfaces = entry->second;
   }
 
   static bool has_own_materials(const MeshShape& shape) {
@@ -218,11 +218,11 @@ class Flattener {
   void begin_leaf(const Object& object, bool mesh) {
     std::int32_t name = -1;
     if (nesting_ > 0) {
-      const auto [entry, is_new] = name_of_.emplace(&object, static_cast<int>(world_.leaf_names.size()));
-      if (is_new) world_.leaf_names.push_back(object.name);
+      const auto [entry, is_new] = name_of_.emplace(&object, static_cast<int>(world_.range_names.size()));
+      if (is_new) world_.range_names.push_back(object.name);
       name = entry->second;
     }
-    world_.leaves.push_back({primitives_.size(), name, mesh});
+    world_.ranges.push_back({primitives_.size(), name, mesh});
   }
 
   /// Instances of a group share the surfaces of its objects.
@@ -356,26 +356,26 @@ World<T>::World(const Scene& scene, AcceleratorKind kind, std::optional<Fault> i
 }
 
 template <class T>
-auto World<T>::leaf_of(int primitive) const -> const Leaf* {
-  const auto after = std::upper_bound(leaves.begin(), leaves.end(), primitive,
-                                      [](int id, const Leaf& leaf) { return id < leaf.first; });
-  return after == leaves.begin() ? nullptr : &*(after - 1);
+auto World<T>::range_of(int primitive) const -> const PrimitiveRange* {
+  const auto after = std::upper_bound(ranges.begin(), ranges.end(), primitive,
+                                      [](int id, const PrimitiveRange& range) { return id < range.first; });
+  return after == ranges.begin() ? nullptr : &*(after - 1);
 }
 
 template <class T>
 auto World<T>::copied_surface(int primitive) const -> const Surface& {
-  const Leaf& leaf = *leaf_of(primitive);
-  const auto triangle = static_cast<std::size_t>(primitive - leaf.first);
-  const std::int32_t at = leaf.surface < 0 ? copied_surfaces[leaf.surfaces + triangle] : leaf.surface;
+  const PrimitiveRange& range = *range_of(primitive);
+  const auto triangle = static_cast<std::size_t>(primitive - range.first);
+  const std::int32_t at = range.surface < 0 ? copied_surfaces[range.surfaces + triangle] : range.surface;
   return surfaces[static_cast<std::size_t>(at)];
 }
 
 template <class T>
 typename World<T>::Piece World<T>::piece(int primitive) const {
-  const Leaf* leaf = leaf_of(primitive);
-  if (leaf == nullptr) return {};
-  return {leaf->mesh ? primitive - leaf->first : -1,
-          leaf->name < 0 ? std::string() : leaf_names[static_cast<std::size_t>(leaf->name)]};
+  const PrimitiveRange* range = range_of(primitive);
+  if (range == nullptr) return {};
+  return {range->mesh ? primitive - range->first : -1,
+          range->name < 0 ? std::string() : range_names[static_cast<std::size_t>(range->name)]};
 }
 
 template struct World<float>;

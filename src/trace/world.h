@@ -133,7 +133,7 @@ struct World {
           },
           kind);
     }
-    /// Of a disc of the area that is seen of it along `l`, of unit length; 0 of a point.
+    /// The radius of a disc of the area that is seen of it along `l`, of unit length; 0 of a point.
     [[nodiscard]] double seen_radius(const Vec3d& l) const {
       return std::visit(
           [&](const auto& light) {
@@ -182,26 +182,26 @@ struct World {
   std::vector<Light> lights;
   Rgb<T> background, ambient;
   std::shared_ptr<const SkyLight> sky;  ///< null: the background is the same everywhere
-  int depth;
-  T threshold;
+  int depth;                            ///< of the ray tree, at most
+  T threshold;                          ///< the least throughput that a ray is formed for
   Effects effects;
   bool absorbs = false;                  ///< whether some surface does
   bool draws;                            ///< lights and lobes are sampled at random; else lights at fixed points
   std::vector<ShadowRole> shadow_roles;  ///< by primitive; empty when all of them stop shadow rays
 
   /// By primitive: the index of its object in the scene, and of its surface. Empty when primitive i is object i. Those
-  /// of copies, from `first_copied` on, are known by their leaves.
+  /// of copies, from `first_copied` on, are known by their ranges.
   std::vector<std::int32_t> objects, surface_indices;
   std::int32_t first_copied = std::numeric_limits<std::int32_t>::max();
   /// Where the primitives of one shape or mesh begin, ascending. Empty with `objects`.
-  struct Leaf {
-    std::int32_t first, name;  ///< `name`: in leaf_names, or -1
+  struct PrimitiveRange {
+    std::int32_t first, name;  ///< `name`: in range_names, or -1
     bool mesh;
     std::int32_t object = -1, surface = -1;  ///< of a copy; -1: each triangle has its own surface
     std::size_t surfaces = 0;                ///< then: where they begin in `copied_surfaces`
   };
-  std::vector<Leaf> leaves;
-  std::vector<std::string> leaf_names;
+  std::vector<PrimitiveRange> ranges;
+  std::vector<std::string> range_names;
   std::vector<std::int32_t> copied_surfaces;  ///< by triangle of each mesh with materials that is copied
   /// By surface; empty where the scene filters nothing. Beside the surfaces, whose size each hit pays for.
   std::vector<PatternFilter> pattern_filters;
@@ -210,7 +210,7 @@ struct World {
   /// The same: of rough glass, between its index and each that may be on the other side. Empty where there is none.
   std::vector<std::vector<std::shared_ptr<const RoughDielectric<T>>>> rough_dielectrics;
   std::vector<SurfaceMaps<T>> surface_maps;  ///< by surface; empty where nothing is mapped
-  Accelerator<T> accelerator;                ///< constructed last: building it fills the lists above
+  Accelerator<T> accelerator;                ///< after the lists above, which building it fills
   std::optional<Fault> fault;
   Numerics numerics;
   bool occludes;  ///< shadow rays are traced
@@ -279,13 +279,13 @@ struct World {
   [[nodiscard]] Piece piece(int primitive) const;
   /// Index in Scene::objects.
   [[nodiscard]] int object(int primitive) const {
-    if (primitive >= first_copied) return leaf_of(primitive)->object;
+    if (primitive >= first_copied) return range_of(primitive)->object;
     return objects.empty() ? primitive : objects[static_cast<std::size_t>(primitive)];
   }
 
  private:
   /// Null where there are none.
-  [[nodiscard]] const Leaf* leaf_of(int primitive) const;
+  [[nodiscard]] const PrimitiveRange* range_of(int primitive) const;
   [[nodiscard]] const Surface& copied_surface(int primitive) const;
 };
 

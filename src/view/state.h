@@ -114,11 +114,6 @@ void choose(const State& state, RenderChoices& choices);
 /// Whether the scene is shown as lines in space instead of the plan.
 [[nodiscard]] bool shows_lines(const State& state);
 
-/// Steps per second after holding STEP for this long.
-[[nodiscard]] double hold_rate(double seconds);
-/// The active breakpoints: none if the open lesson has disabled them.
-[[nodiscard]] Breakpoints breakpoints_in_force(const State& state);
-
 /// The position whose rays and shades the plan shows: the end of the walk while live rays are shown.
 [[nodiscard]] int position_shown(const State& state);
 /// The cell whose rays follow in Move, or would.

@@ -9,7 +9,8 @@
 
 namespace raywalk {
 
-/// Whether the open step asks, and its answer is not shown yet. (While searching a faulty line one walks freely.)
+/// Whether the open step asks, and its answer is not shown yet. (While one searches for a faulty line, one walks
+/// freely.)
 [[nodiscard]] bool is_open_question(const LessonRoom& sitting);
 
 /// The pixel of the picture that a lesson's walk is of; none for the strip.
@@ -21,7 +22,7 @@ namespace raywalk {
 /// walks freely.)
 [[nodiscard]] bool question_waits(const State& state);
 
-/// Says that the answer is shown to who has predicted it.
+/// Says that the answer is shown to whoever has predicted it.
 void ask_to_predict(State& state);
 
 /// Whether the answer of an open question would be in sight here, if it were shown: where the walk is asked about, and

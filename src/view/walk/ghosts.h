@@ -29,7 +29,8 @@ struct Ghosts {
 
 struct State;
 
-/// The ghosts of the current pixel, with stubs of the state's timeline. None at the start and for paths.
+/// The ghosts of the current pixel, with stubs of the state's timeline. None at the start, and of walks that are no ray
+/// trees or whose depth does not count: paths, beams, cones.
 [[nodiscard]] Ghosts ghosts_of(const State& state);
 
 /// The fraction of the pixel, ghosts included, that something contributes: the maximum over the channels; 0..1.

@@ -65,8 +65,8 @@ std::optional<action::WalkPixel> neighbour(const State& state, bool forward) {
 
 namespace {
 
-/// The answer to a lesson's question, to who has predicted it, or presents. Whoever may see it without a prediction
-/// asks for that by Reveal.
+/// The answer to a lesson's question, for whoever has predicted it, or presents. Whoever may see it without a
+/// prediction asks for that by Reveal.
 void show_predicted(State& state) {
   if (state.lessons.guess.any() || state.lessons.presenter) return action::RevealLesson{}.apply(state);
   ask_to_predict(state);

@@ -30,6 +30,11 @@ void follow_with_ghosts(State& state);
 [[nodiscard]] action::StopAt stops_chosen(const State& state);
 inline constexpr int deepest_stop = 99;  ///< that is offered
 
+/// Steps per second after holding STEP for this long.
+[[nodiscard]] double hold_rate(double seconds);
+/// The active breakpoints: none if the open lesson has disabled them.
+[[nodiscard]] Breakpoints breakpoints_in_force(const State& state);
+
 void go_to(State& state, int position);
 /// The position after one step of `grain`.
 [[nodiscard]] int stepped(const Timeline& timeline, int position, Grain grain, bool forward);
