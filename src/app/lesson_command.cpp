@@ -126,21 +126,24 @@ ExitCode lesson_check_command(const std::vector<std::string>& names, int seeds) 
   }
   if (folders.empty())
     return fail({lessons_dir(), 0, 0, "there are no lessons here (expected folders with a lesson.toml)", ""});
-  std::size_t wrong = 0;
+  std::size_t wrong = 0, unread = 0;
   for (const std::string& folder : folders) {
     const auto lesson = read_lesson(folder);
     const LessonCheck found = lesson ? check_lesson(*lesson, {data_dir() + "/scenes", lessons_dir() + "/words", seeds})
                                      : LessonCheck{{lesson.error()}, {}};
     for (const Error& error : found.errors) fail(error);
-    wrong += found.errors.empty() ? 0U : 1U;
+    unread += lesson ? 0U : 1U;
+    wrong += lesson && !found.errors.empty() ? 1U : 0U;
     const auto printed = print((found.errors.empty() ? summary_of(*lesson) : "") + spreads_of(found, seeds));
     if (!printed) return fail(printed.error());
   }
   if (const auto printed = print(texts_report()); !printed) return fail(printed.error());
   for (const Error& error : texts().broken) fail(error);
-  if (wrong == 0) return texts().broken.empty() ? ExitCode::done : ExitCode::failed;
-  return fail({"", 0, 0, fmt::format("{} of {} lessons say what is not so", wrong, folders.size()),
-               "lessons/README.md explains how a lesson is written"});
+  if (wrong + unread == 0) return texts().broken.empty() ? ExitCode::done : ExitCode::failed;
+  std::string what = wrong > 0 ? fmt::format("{} of {} lessons say what is not so", wrong, folders.size()) : "";
+  if (unread > 0)
+    what += fmt::format("{}{} of {} lessons cannot be read", wrong > 0 ? "; " : "", unread, folders.size());
+  return fail({"", 0, 0, what, "lessons/README.md explains how a lesson is written"});
 }
 
 ExitCode lesson_script_command(const std::string& name, Language language, const std::optional<std::string>& path) {

@@ -113,7 +113,10 @@ CLI::Option* add_image(CLI::App& command, Target& target, const std::string& hel
 inline CLI::Option* add_part(CLI::App& command, std::optional<Share>& target, const std::string& help) {
   return add_parsed(
       command, "--part", target, parse_part, "I/N",
-      fmt::format("two whole numbers, the second up to {}, such as 3/7 for the third of seven", max_parts), help);
+      fmt::format(
+          "two whole numbers, the first from 1 to the second, this up to {}, such as 3/7 for the third of seven",
+          max_parts),
+      help);
 }
 
 inline CLI::Option* add_whole(CLI::App& command, const std::string& name, auto& target, int low, int high,

@@ -18,7 +18,9 @@
 #include "render/adaptive.h"
 #include "scene/schema_kinds.h"
 #include "text/file_ledger.h"
+#include "text/spelling.h"
 #include "view/action_text.h"
+#include "view/appearance/room.h"
 
 #include <fmt/format.h>
 
@@ -246,9 +248,16 @@ void declare_window(CLI::App& program, FileLedger& ledger, Run& run) {
   hide(program.add_option("--start-mode", to.start_mode));
   hide(program.add_option("--start-tab", to.start_tab));
   hide(program.add_option("--start-position", to.start_position));
-  program.add_option("--theme", to.theme, "dark or projector; left out: as it was left")->type_name("NAME");
-  program.add_option("--ui-scale", to.ui_scale, "How large letters and buttons are; left out: as it was left")
-      ->type_name("FACTOR");
+  const auto theme = [](const std::string& word) { return named<Theme>(word) ? std::optional(word) : std::nullopt; };
+  add_parsed(program, "--theme", to.theme, theme, "NAME", one_of(all_words<Theme>()),
+             "dark or projector; left out: as it was left");
+  const auto scale = [](const std::string& word) -> std::optional<double> {
+    const auto factor = parse_amount(word);
+    return factor && *factor >= min_ui_scale && *factor <= max_ui_scale ? factor : std::nullopt;
+  };
+  add_parsed(program, "--ui-scale", to.ui_scale, scale, "FACTOR",
+             fmt::format("a number from {} to {}", min_ui_scale, max_ui_scale),
+             "How large letters and buttons are; left out: as it was left");
   hide(add_file(program, "--report", to.report_path, "FILE", ""));
   add_parsed(program, "--window", asked->window, parse_size, "WxH", "such as 1280x720",
              "The window's size; left out: 1280x720");

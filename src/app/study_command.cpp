@@ -88,8 +88,8 @@ ExitCode study_command(const StudyCommandOptions& options) {
   study::StudyOptions to{options.folder,        effort,
                          options.threads,       study::machine_text() + ", raywalk " RAYWALK_VERSION,
                          command_text(options), options.share};
-  const Interrupt interrupt(Patience::brief,
-                            "interrupted; what was measured is kept: the same command goes on from it\n");
+  const Interrupt interrupt(
+      Patience::brief, "interrupted; experiments that were finished are kept: the same command goes on from them\n");
   to.stop = interrupt.stop();
   Result<study::StudyResult> result;
   {
@@ -102,8 +102,8 @@ ExitCode study_command(const StudyCommandOptions& options) {
   }
   if (!result) return fail(result.error());
   if (!result->finished)
-    return fail(
-        {options.folder, 0, 0, "interrupted; what was measured is kept there", "the same command goes on from it"});
+    return fail({options.folder, 0, 0, "interrupted; the experiments that were finished are kept there",
+                 "the same command goes on from them"});
   if (options.share) {
     const auto printed = print(fmt::format("part {} of {} is in {}; once all are there, {} makes the page of them\n",
                                            options.share->part, options.share->of, options.folder, to.command));

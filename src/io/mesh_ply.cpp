@@ -84,6 +84,7 @@ class PlyReader {
 
   bool read_header() {
     constexpr int max_lines = 1000;
+    if (bytes_.empty()) return fail("the file is empty (expected a PLY file)", "is this the right file?");
     if (cursor_.word() != "ply")
       return fail("the file does not begin with \"ply\" (expected a PLY file)", "is this the right file?");
     bool has_format = false;

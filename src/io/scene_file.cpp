@@ -248,6 +248,21 @@ std::string why_toml() {
   return "; it is read as TOML, for its name has none of the endings " + endings;
 }
 
+/// Of a picture that cannot be read, at the first place of the scene that names it.
+Error where_it_is_named(Error why, const std::string& text, const std::string& path, const std::string& folder) {
+  const std::string name = why.file.starts_with(folder) ? why.file.substr(folder.size()) : why.file;
+  const std::size_t at = text.find('"' + name + '"');
+  if (at == std::string::npos) return why;
+  const std::string before = text.substr(0, at);
+  const auto line = before.begin() + static_cast<std::ptrdiff_t>(before.rfind('\n') + 1);
+  why.file = path;
+  why.line = static_cast<int>(std::count(before.begin(), before.end(), '\n')) + 1;
+  // In characters: of UTF-8 without the bytes that continue one.
+  why.column = static_cast<int>(std::count_if(line, before.end(), [](char c) { return (c & '\xc0') != '\x80'; })) + 1;
+  why.message = "file " + toml_text::quoted(name) + ": " + why.message;
+  return why;
+}
+
 Result<SceneDocument> read_format(const std::string& path, SceneFormat format) {
   if (is_mesh(format)) return scene_of_mesh(path);
   auto text = read_file(path, format == SceneFormat::toml ? max_scene_bytes : max_foreign_bytes);
@@ -260,7 +275,8 @@ Result<SceneDocument> read_format(const std::string& path, SceneFormat format) {
       if (!document) return document;
       if (marked) document->text.insert(0, utf8_mark);  // preserved when written
       const std::string folder = path.substr(0, path.find_last_of('/') + 1);
-      if (const auto loaded = load_textures(document->scene, folder); !loaded) return tl::unexpected(loaded.error());
+      if (const auto loaded = load_textures(document->scene, folder); !loaded)
+        return tl::unexpected(where_it_is_named(loaded.error(), *text, path, folder));
       return document;
     }
     case SceneFormat::nff:

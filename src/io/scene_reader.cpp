@@ -77,9 +77,24 @@ std::string SceneReader::place_of(std::string_view key) const {
   return place_.empty() ? "[" + std::string(key) + "]" : std::string(key) + " of " + place_;
 }
 
+namespace {
+constexpr std::string_view of = " of ";
+}  // namespace
+
 std::string SceneReader::place_of_element(std::string_view key, std::size_t number) const {
-  const std::string outer = place_.empty() ? "" : place_.substr(2, place_.find("]]") - 2) + ".";
-  return fmt::format("[[{}{}]] number {}", outer, key, number);
+  if (place_.empty()) return fmt::format("[[{}]] number {}", key, number);
+  // As TOML names it: `map` in `material of [[object]] "Ball"` is [[object.material.map]], of "Ball".
+  const std::size_t begin = place_.find('['), first = place_.find_first_not_of('[', begin), last = place_.find(']');
+  std::string name = place_.substr(first, last - first) + ".", whose;
+  for (std::string_view within(place_.data(), begin); !within.empty();) {
+    within.remove_suffix(of.size());
+    const std::size_t before = within.rfind(of);
+    const std::size_t at = before == std::string_view::npos ? 0 : before + of.size();
+    name += std::string(within.substr(at)) + ".";
+    within = within.substr(0, at);
+    whose = place_.substr(place_.find_first_not_of(']', last));
+  }
+  return fmt::format("[[{}{}]] number {}{}", name, key, number, whose.empty() ? "" : " of" + whose);
 }
 
 void SceneReader::fail(const toml::node& at, std::string_view key, const std::string& message, std::string hint) {

@@ -74,9 +74,16 @@ Result<SceneDocument> stage_scene(const std::string& name, const std::string& le
   std::error_code ignored;
   const fs::path own = fs::path(lesson_folder) / file, shipped = fs::path(scenes_folder) / file;
   const bool is_own = fs::exists(own, ignored);
-  if (!is_own && !fs::exists(shipped, ignored))
-    return tl::unexpected(Error{own.string(), 0, 0, "there is no such scene, neither here nor among those that ship",
-                                "write the scene beside lesson.toml, or name one of " + scenes_folder});
+  if (!is_own && !fs::exists(shipped, ignored)) {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(scenes_folder, ignored))
+      names.push_back(entry.path().stem().string());
+    const std::string meant = nearest_word(name, {names.begin(), names.end()});
+    return tl::unexpected(Error{own.string(), 0, 0,
+                                "there is no scene \"" + name + "\", neither here nor among those that ship",
+                                meant.empty() ? "write the scene beside lesson.toml, or name one of " + scenes_folder
+                                              : "did you mean " + meant + "?"});
+  }
   const std::string path = (is_own ? own : shipped).string();
   return read_scene(path);
 }

@@ -121,7 +121,7 @@ void describe(Fields& f, MeshShape& mesh) {
 template <class Fields>
 void describe(Fields& f, Instance& instance) {
   f.about("A group of objects once more.");
-  f.required("group", instance, group_name, "The name of a [[group]] that stands above.");
+  f.required("group", instance, group_name, "The name of a [[group]]; inside of a group, of one that stands above.");
 }
 
 }  // namespace raywalk::schema

@@ -101,7 +101,9 @@ TEST_CASE("a map that is missing, no picture, or holds what is no number is refu
     put(path, with_lines("roughness = 1\nreflection = 1\nmap = [{ of = \"roughness\", file = \"" + file + "\" }]\n"));
     const auto read = read_scene(path);
     REQUIRE_FALSE(read);
-    CHECK_THAT(read.error().file, contains(file));
+    CHECK(read.error().file == path);
+    CHECK(read.error().line == 13);
+    CHECK_THAT(read.error().message, contains("file \"" + file + "\": "));
     CHECK_THAT(read.error().hint, contains("it is a map of \"Ball\""));
     return read.error().message;
   };
@@ -120,7 +122,7 @@ TEST_CASE("bad maps and masks are refused at the place of their fault") {
   const std::vector<BadScene> scenes{
       {"map of nothing", with_lines("map = [{ file = \"a.png\" }]\n"), 11, 8, "of is missing", ""},
       {"map of an unknown parameter", with_lines("map = [{ of = \"ior\", file = \"a.png\" }]\n"), 11, 15,
-       "\"roughness\"", ""},
+       "of of [[object.material.map]] number 1 of \"Ball\": found \"ior\" (expected", ""},
       {"map without a file", with_lines("map = [{ of = \"diffuse\" }]\n"), 11, 8, "file is missing", ""},
       {"map without height", with_lines("map = [{ of = \"diffuse\", file = \"a.png\", height = 0 }]\n"), 11, 51,
        "above 0", ""},

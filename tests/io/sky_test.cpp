@@ -126,7 +126,7 @@ TEST_CASE("a picture that can be no sky is refused with its file and a hint") {
     const auto read = read_scene(folder.file("scene.toml"));
     INFO(why);
     REQUIRE_FALSE(read);
-    CHECK_THAT(read.error().file, contains("sky.pfm"));
+    CHECK_THAT(read.error().text(), contains("file \"sky.pfm\": "));
     CHECK_THAT(read.error().message, contains(why));
     CHECK(!read.error().hint.empty());
   };

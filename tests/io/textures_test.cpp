@@ -31,7 +31,7 @@ TEST_CASE("a scene finds its texture from its own folder") {
   put(path, scene_text);
   const auto missing = read_scene(path);
   REQUIRE_FALSE(missing);
-  CHECK_THAT(missing.error().file, contains("pictures/wood.png"));
+  CHECK_THAT(missing.error().text(), contains("scene.toml:11:8: file \"pictures/wood.png\": cannot read"));
   CHECK_THAT(missing.error().hint, contains("the texture of \"Ball\""));
   std::filesystem::create_directory(folder.file("pictures"));
   REQUIRE(write_image(folder.file("pictures/wood.png"), gradient()));

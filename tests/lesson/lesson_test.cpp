@@ -182,7 +182,7 @@ TEST_CASE("a step that is not reached fails") {
   CHECK_THAT(faults(replaced(good_steps, "pixel = 0", "pixel = 21")),
              raywalk::test::contains("SCREEN has no cell 21 (expected 0 to 20)"));
   CHECK_THAT(faults(replaced(good_steps, "\"classic\"", "\"clasic\"")),
-             raywalk::test::contains("there is no such scene"));
+             raywalk::test::contains("there is no scene \"clasic\""));
 }
 
 TEST_CASE("words that are missing or too many fail, in the language they are missing in") {
