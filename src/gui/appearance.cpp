@@ -42,7 +42,7 @@ Commands AppearanceRoom::commands() {
        .chosen = [](const State& state) { return state.walk.tweens; }, .turn = turn<action::SetTweens>},
       {.name = "theme", .keys = {"P", "D"}, .section = Section::style, .label = theme_label, .run = change_theme},
       {.name = "scale-up", .keys = {"Ctrl++"}, .section = Section::style, .line = "keys.scale",
-       .enabled = [](const State& state) { return state.appearance.ui_scale < max_ui_scale; },
+       .enabled = [](const State& state) { return !state.appearance.is_fitted && state.appearance.ui_scale < max_ui_scale; },
        .run = [](const Ui& ui) { ui.act(action::SetUiScale{ui.state.appearance.ui_scale + scale_step}); }},
       {.name = "scale-down", .keys = {"Ctrl+-"}, .section = Section::style, .line = "keys.scale",
        .enabled = [](const State& state) { return state.appearance.ui_scale > min_ui_scale; },

@@ -161,7 +161,7 @@ void image_tab(const Ui& ui, const Rect& where, TabContext& context) {
     pop_font();
     return;
   }
-  if (tells_lessons_answer(ui.state)) {
+  if (image_tells_answer(ui.state)) {
     paragraph(ui.colours.dim_text, ui.say("lesson.predict_first"));
     pop_font();
     return;
@@ -185,7 +185,7 @@ void image_tab(const Ui& ui, const Rect& where, TabContext& context) {
   }
   const bool has_row = ui.state.walk.planar && !ui.state.picture.camera;
   // What a pixel shows is what its ray is predicted to meet.
-  const bool tells_answer = prediction_asked(ui.state).has_value();
+  const bool tells_answer = prediction_asked(ui.state).has_value() || mark_tells_answer(ui.state);
   ui.publish("image", image);
   if (image.width >= 8 && image.height >= 8) {
     const int cells = std::max(ui.state.scene().camera.screen.cells, 1);

@@ -91,12 +91,12 @@ class Loop::Parts {
 
   Result<void> end() {
     if (wants_picture() && !broken_ && settled()) return take_picture();
-    if (wants_picture() && failure_)
+    if (wants_picture() && outcome_)
       return tl::unexpected(Error{options_.screenshot_path, 0, 0,
                                   "not written: the window was closed before its picture was whole",
                                   "a demo for a screenshot needs no \"quit\": the program ends with the picture"});
     if (!wants_picture()) keep_settings();
-    return failure_;
+    return outcome_;
   }
 
   // Seconds until something must be done; negative: indefinitely.
@@ -156,6 +156,7 @@ class Loop::Parts {
   }
 
   Result<void> act_by_outline(std::string_view does, std::string_view typed) {
+    if (broken_) return {};
     if (animation_) finish_animation();
     if (does == choosing_files) {
       platform::choose_files();
@@ -266,12 +267,12 @@ class Loop::Parts {
 
   // The demo may run unattended: if it fails to write a file or to open a lesson, it ends as a failure, with a message.
   void note_failure(const Action& action) {
-    if (!failure_ || !state_.document.notice) return;
+    if (!outcome_ || !state_.document.notice) return;
     const auto* lesson = action.as<action::OpenLesson>();
     const auto& open = state_.lessons.open;
     const bool failed = lesson != nullptr ? !state_.document.question && (!open || open->lesson.name != lesson->name)
                                           : writes_file(action) && state_.document.notice->kind == Notice::Kind::error;
-    if (failed) failure_ = tl::unexpected(Error{options_.demo_path, 0, 0, state_.document.notice->text, ""});
+    if (failed) outcome_ = tl::unexpected(Error{options_.demo_path, 0, 0, state_.document.notice->text, ""});
   }
 
   // One key press holds STEP once: if a breakpoint ends that, the key must be released first.
@@ -309,7 +310,7 @@ class Loop::Parts {
       frames_due_ = std::max(frames_due_, 1);
     // An export shows the moment of its request.
     if (state_.document.question && demo_.ignores_question()) {
-      failure_ = tl::unexpected(Error{options_.demo_path, 0, 0,
+      outcome_ = tl::unexpected(Error{options_.demo_path, 0, 0,
                                       "the window asks a question, and the demo does not answer it (expected \"answer "
                                       "save\", \"answer discard\" or \"answer cancel\" next)",
                                       "before it replaces a file or drops changes the window asks"});
@@ -410,6 +411,7 @@ class Loop::Parts {
   // Fonts and spacing for the current scale and theme.
   void rescale() {
     const float now = unit(), density = window_.density();
+    state_.appearance.is_fitted = shrink() < 1;
     if (now != styled_unit_ || state_.appearance.theme != styled_theme_)
       set_style(ImGui::GetStyle(), state_.appearance.theme, now);
     // Small buttons reach a little beyond their edges for a finger, and not into their neighbours.
@@ -475,8 +477,8 @@ class Loop::Parts {
                               patience() != 0 && !state_.walk.playing,
                               ImGui::GetIO().WantTextInput};
     const std::string text = report(state_, interface_, image_.preview(), costs_, dpi(), window);
-    if (Result<void> written = write_file_atomically(options_.report_path, text); !written && failure_) {
-      failure_ = tl::unexpected(written.error());
+    if (Result<void> written = write_file_atomically(options_.report_path, text); !written && outcome_) {
+      outcome_ = tl::unexpected(written.error());
       state_.document.quit = true;
     }
   }
@@ -486,7 +488,7 @@ class Loop::Parts {
     frames_due_ = 1;
     frame(&picture);
     const Result<void> written = write_image(options_.screenshot_path, picture);
-    return written ? failure_ : written;
+    return written ? outcome_ : written;
   }
 
   const GuiOptions options_;
@@ -514,7 +516,7 @@ class Loop::Parts {
   int copies_ = 0;          ///< that are in the clipboard
   double first_frame_ = 0, notice_seen_ = 0, tooltip_in_ = -1;
   std::string title_, seen_notice_;
-  Result<void> failure_;
+  Result<void> outcome_;
 };
 
 Loop::Loop(GuiOptions options, State state, Window& window, Attention& attention, Demo demo,

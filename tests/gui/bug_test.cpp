@@ -148,7 +148,7 @@ TEST_CASE("a lesson's line at fault is clicked in the code") {
   bench.click(row_of(Line::form_refract_ray));
   CHECK(bench.state.walk.position == position);
   bench.click("lesson-reveal");
-  CHECK(bench.state.lessons.right == 1);
+  CHECK(bench.state.lessons.first_tries[bench.state.lessons.last].right() == 1);
   bench.key("Alt+Enter");
   CHECK(bench.state.walk.bug->mended);
   bench.frames(2);

@@ -63,14 +63,14 @@ TEST_CASE("a lesson by keys: list, choice by digit, Enter reveals and goes on") 
   CHECK(bench.state.walk.grain == grain);
   bench.key("Enter");
   CHECK(bench.state.lessons.revealed);
-  CHECK(bench.state.lessons.right == 1);
+  CHECK(bench.state.lessons.first_tries[bench.state.lessons.last].right() == 1);
   CHECK(bench.state.walk.position == position + 1);
   bench.key("Enter");
   CHECK(bench.state.lessons.step == 2);
   bench.click("guess/1");
   bench.click("lesson-reveal");
-  CHECK(bench.state.lessons.judged == 2);
-  CHECK(bench.state.lessons.right == 1);
+  CHECK(bench.state.lessons.first_tries[bench.state.lessons.last].judged() == 2);
+  CHECK(bench.state.lessons.first_tries[bench.state.lessons.last].right() == 1);
   bench.click("lesson-next");
   CHECK(bench.state.lessons.step == 3);
   bench.click("lesson-back");

@@ -511,16 +511,16 @@ TEST_CASE("the 3-D image waits for the answer where the question is about pictur
   int held = 0;
   for (int step = 0; state.lessons.at() != nullptr; update(state, action::GoToLessonStep{++step})) {
     const bool about_pictures = !state.lessons.at()->step->pictures.empty();
-    if (!tells_lessons_answer(state)) continue;
+    if (!image_tells_answer(state)) continue;
     ++held;
     CHECK(about_pictures);
     update(state, action::RevealLesson{});
-    CHECK_FALSE(tells_lessons_answer(state));
+    CHECK_FALSE(image_tells_answer(state));
   }
   CHECK(held >= 2);
   // What is asked about a picture that is shown stays in sight.
   update(state, action::OpenLesson{"11-noise"});
   update(state, action::GoToLessonStep{1});
   REQUIRE(state.lessons.at()->step->id == "four-times");
-  CHECK_FALSE(tells_lessons_answer(state));
+  CHECK_FALSE(image_tells_answer(state));
 }

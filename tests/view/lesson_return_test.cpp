@@ -47,6 +47,39 @@ TEST_CASE("Move tells no answer of a lesson before it is shown") {
   CHECK(trees > 20);
 }
 
+TEST_CASE("first predictions stay counted in another session, until the lesson is begun anew") {
+  const test::TemporaryFolder folder;
+  State state = state_with_lessons();
+  state.document.state_dir = folder.file("state");
+  const auto answer = [](State& in, int step, int choice) {
+    update(in, action::GoToLessonStep{step});
+    REQUIRE(lesson_panel(in).asks == Asks::choice);
+    update(in, action::GuessChoice{choice});
+    update(in, action::RevealLesson{});
+  };
+  update(state, action::OpenLesson{"01-ray-casting"});
+  answer(state, 1, 2);
+  CHECK_THAT(lesson_panel(state).score, contains("0 of 1"));
+  update(state, action::GoToLessonStep{2});
+
+  State later = state_with_lessons();
+  later.document.state_dir = folder.file("state");
+  later.lessons.list.clear();  // the list is read again, and where lessons were left
+  update(later, action::OpenLesson{"01-ray-casting"});
+  CHECK(later.lessons.step == 2);
+  CHECK_THAT(lesson_panel(later).score, contains("0 of 1"));
+  answer(later, 2, 2);
+  CHECK_THAT(lesson_panel(later).score, contains("1 of 2"));
+  answer(later, 1, 1);  // no longer its first
+  CHECK_THAT(lesson_panel(later).score, contains("1 of 2"));
+  update(later, action::SetLessonOptions{false, true});
+  update(later, action::GoToLessonStep{99});
+  CHECK(later.lessons.at() == nullptr);
+  CHECK_THAT(lesson_panel(later).score, contains(": 1 of 2"));
+  update(later, action::OpenLesson{"01-ray-casting"});
+  CHECK(lesson_panel(later).score.empty());
+}
+
 TEST_CASE("who goes back to a step that was answered finds guess and answer; a presenter asks again") {
   State state = state_with_lessons();
   update(state, action::OpenLesson{"01-ray-casting"});
@@ -54,14 +87,15 @@ TEST_CASE("who goes back to a step that was answered finds guess and answer; a p
   REQUIRE(lesson_panel(state).asks == Asks::choice);
   update(state, action::GuessChoice{1});
   update(state, action::RevealLesson{});
-  const int position = state.walk.position, judged = state.lessons.judged;
+  const int position = state.walk.position;
+  const auto tries = state.lessons.first_tries;
   const std::string verdict = lesson_panel(state).verdict;
   update(state, action::GoToLessonStep{2});
   CHECK_FALSE(state.lessons.revealed);
   update(state, action::GoToLessonStep{1});
   CHECK(state.lessons.revealed);
   CHECK(state.lessons.guess.choice == 1);
-  CHECK(state.lessons.judged == judged);
+  CHECK(state.lessons.first_tries == tries);
   CHECK(state.walk.position == position);
   CHECK(lesson_panel(state).verdict == verdict);
   update(state, action::SetLessonOptions{true});
@@ -116,7 +150,7 @@ TEST_CASE("another sitting opens a lesson where it was left, a finished one too,
   const auto sitting = [&] {
     State state = state_with_lessons();
     state.lessons.list.clear();
-    state.document.state_dir = folder.path();
+    state.document.state_dir = folder.file("state");
     update(state, action::ListLessons{});
     return state;
   };

@@ -11,6 +11,7 @@
 #include "text/languages.h"
 #include "text/text_file.h"
 #include "view/document/document.h"
+#include "view/link/link.h"
 
 #include <emscripten/em_js.h>
 #include <emscripten/emscripten.h>
@@ -28,6 +29,7 @@
 // clang-format off
 EM_JS(void, raywalk_fail, (const char* text), { Module["fail"](UTF8ToString(text)); });
 EM_JS(void, raywalk_speaks, (const char* language), { Module["speaks"](UTF8ToString(language)); });
+EM_JS(void, raywalk_stands_at, (const char* link), { Module["stands_at"](UTF8ToString(link)); });
 // clang-format on
 
 namespace raywalk {
@@ -98,6 +100,15 @@ void tell_language() {
     raywalk_speaks((told = now).c_str());
 }
 
+/// Where in which lesson it is, for the address: a page that is loaded again goes on there. None without a lesson.
+void tell_place() {
+  static std::string told;
+  const LessonRoom& sitting = page_loop().state().lessons;
+  const std::string now =
+      sitting.at() ? write_link({.lesson = sitting.open->lesson.name, .lesson_step = sitting.step + 1}) : std::string();
+  if (now != told) raywalk_stands_at((told = now).c_str());
+}
+
 }  // namespace
 
 }  // namespace raywalk
@@ -113,6 +124,7 @@ EMSCRIPTEN_KEEPALIVE double page_turn() {
     Loop& loop = page_loop();
     if (loop.turn()) next = loop.patience();
     tell_language();
+    tell_place();
   });
   return next;
 }

@@ -642,6 +642,11 @@ async function start() {
     fail,
     copy,
     speaks: name_parts,
+    stands_at: (link) => {
+      try {
+        if (!embedding) history.replaceState(history.state, '', link || location.pathname + location.search);
+      } catch {} // of a file some browsers refuse it
+    },
     chooseFiles: choose_files,
     onAbort: fail,
     preRun: [(module) => {

@@ -108,6 +108,7 @@ struct AppearanceRoom {
   bool english_code = false;  ///< the pseudocode, whatever the language
   bool touch = false;         ///< handles are as large as a finger
   double ui_scale = 1;        ///< min_ui_scale..max_ui_scale
+  bool is_fitted = false;     ///< the window has no room for that: everything is drawn smaller
   Tab tab = PictureRoom::tab;
   Front front = Front::code;
   double code_part = 0;          ///< height of the code, of it and the tabs below it; 0: as it wants

@@ -128,8 +128,12 @@ bool lesson_enlarges(const State& state) {
   return last == LessonBeside::picture ? tab == PictureRoom::tab : tab.word == name_of(last);
 }
 
-bool tells_lessons_answer(const State& state) {
-  if (!withholds_answer(state) || state.lessons.at()->step->pictures.empty()) return false;
+bool image_tells_answer(const State& state) {
+  return mark_tells_answer(state) && !state.lessons.at()->step->pictures.empty();
+}
+
+bool mark_tells_answer(const State& state) {
+  if (!withholds_answer(state)) return false;
   // What this step shows, or the last one before it that shows something: a picture is then what is asked about.
   const LessonBeside own = state.lessons.at()->step->pane;
   return (own == LessonBeside::unchanged ? left_before(state.lessons) : own) != LessonBeside::picture;
@@ -148,13 +152,29 @@ bool exchanged_by_hand(const State& state) {
                                 : state.appearance.exchanges();
 }
 
+namespace {
+
+/// How many first predictions were right, of the lesson that is or was open.
+std::string score_of(const LessonRoom& sitting, Language language) {
+  const auto tries = sitting.first_tries.find(sitting.last);
+  if (tries == sitting.first_tries.end() || sitting.presenter) return {};  // a class counts its hands
+  const int judged = tries->second.judged(), right = tries->second.right();
+  if (judged == 0) return {};
+  const std::string score =
+      fmt::format("{} {} {} {}", right, text("lesson.of", language), judged, text("lesson.score", language));
+  const auto entry = std::find_if(sitting.list.begin(), sitting.list.end(),
+                                  [&](const LessonEntry& each) { return each.name == sitting.last; });
+  return sitting.at() != nullptr || entry == sitting.list.end() ? score : entry->title(language) + ": " + score;
+}
+
+}  // namespace
+
 LessonPanel lesson_panel(const State& state) {
   const LessonRoom& sitting = state.lessons;
   const Language language = state.appearance.language;
   LessonPanel panel;
   const auto word = [&](std::string_view w) { return std::string(text(w, language)); };
-  if (sitting.judged > 0 && !sitting.presenter)  // a class counts its hands
-    panel.score = fmt::format("{} {} {} {}", sitting.right, word("lesson.of"), sitting.judged, word("lesson.score"));
+  panel.score = score_of(sitting, language);
   const PlayedStep* step = sitting.at();
   if (step == nullptr) {
     panel.rows = lesson_rows(sitting, language);

@@ -63,7 +63,9 @@ struct LessonPanel {
 }
 
 /// Whether the 3-D image shows what the open step asks about pictures, and that has yet to be answered.
-[[nodiscard]] bool tells_lessons_answer(const State& state);
+[[nodiscard]] bool image_tells_answer(const State& state);
+/// Whether the mark of the walked pixel in it does: what a pixel shows is what its ray has met.
+[[nodiscard]] bool mark_tells_answer(const State& state);
 
 /// What a step leaves beside the plan.
 [[nodiscard]] inline LessonBeside left_by(const LessonStep& step) {

@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <utility>
@@ -25,8 +26,8 @@ constexpr std::size_t max_progress = 1 << 16;  // bytes
 
 std::string progress_path(const State& state) { return state.document.state_dir + "/lessons.json"; }
 
-/// What another window, or an earlier sitting, has written: adds what it has finished and where it was, and takes over
-/// whether lessons are unlocked. Progress is a convenience: failures are ignored.
+/// What another window, or an earlier sitting, has written: adds what it has finished and predicted and where it was,
+/// and takes over whether lessons are unlocked. Progress is a convenience: failures are ignored.
 void read_progress(State& state) {
   if (state.document.state_dir.empty()) return;
   const auto bytes = read_file(progress_path(state), max_progress);
@@ -43,6 +44,15 @@ void read_progress(State& state) {
     own = std::max(own, steps);
   });
   each_step("left_at", [&](const std::string& name, int step) { state.lessons.left_at.try_emplace(name, step); });
+  if (const auto tries = json.find("first_tries"); tries != json.end() && tries->is_object())
+    for (const auto& [name, of] : tries->items())
+      if (of.is_object() && !state.lessons.first_tries.contains(name))
+        for (const auto& [step, right] : of.items()) {
+          int number = 0;
+          if (std::from_chars(step.data(), step.data() + step.size(), number).ec != std::errc()) continue;
+          state.lessons.first_tries[name].by_step[number] =
+              right.is_boolean() ? std::optional(right.get<bool>()) : std::nullopt;
+        }
   if (const auto last = json.find("last"); last != json.end() && last->is_string() && state.lessons.last.empty())
     state.lessons.last = last->get<std::string>();
   if (const auto unlocked = json.find("unlocked"); unlocked != json.end() && unlocked->is_boolean())
@@ -52,7 +62,12 @@ void read_progress(State& state) {
 /// Once it was read: what others have written meanwhile is part of it.
 void write_progress(const State& state) {
   if (state.document.state_dir.empty()) return;
+  nlohmann::json tries = nlohmann::json::object();
+  for (const auto& [name, of] : state.lessons.first_tries)
+    for (const auto& [step, right] : of.by_step)
+      tries[name][std::to_string(step)] = right ? nlohmann::json(*right) : nlohmann::json();
   const nlohmann::json json{{"done", state.lessons.done},
+                            {"first_tries", tries},
                             {"left_at", state.lessons.left_at},
                             {"last", state.lessons.last},
                             {"unlocked", state.lessons.unlocked}};
@@ -218,6 +233,7 @@ bool open_lesson(State& state, const std::string& name, std::optional<int> step)
   sitting.answered.clear();
   read_progress(state);
   sitting.last = name;
+  if (!sitting.left_at.contains(name)) sitting.first_tries.erase(name);  // it begins anew
   sitting.left_at[name] = at;
   write_progress(state);
   sitting.step = at;
@@ -337,11 +353,11 @@ void action::RevealLesson::apply(State& state) const {
   render_pictures(state, sitting.open, sitting.step);
   sitting.revealed = true;
   sitting.answered[sitting.step] = sitting.guess;
-  const bool is_first = sitting.counted.emplace(sitting.open->lesson.name, sitting.step).second;
-  if (const auto verdict = judge(sitting); verdict && is_first) {
-    ++sitting.judged;
-    sitting.right += verdict->right ? 1 : 0;
-  }
+  const auto verdict = judge(sitting);
+  read_progress(state);
+  sitting.first_tries[sitting.open->lesson.name].by_step.try_emplace(
+      sitting.step, verdict ? std::optional(verdict->right) : std::nullopt);
+  write_progress(state);
   // A student may have walked elsewhere, or changed the scene.
   if (!is_staged(state)) {
     const LessonGuess guess = sitting.guess;

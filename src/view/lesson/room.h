@@ -8,11 +8,11 @@
 #include "view/room.h"
 #include "view/walk/room.h"
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -151,6 +151,24 @@ struct ShowNotesWindow {
 
 namespace raywalk {
 
+/// By step, whether the first prediction was right; none if nothing was predicted.
+struct FirstTries {
+  std::map<int, std::optional<bool>> by_step;
+  [[nodiscard]] int judged() const {
+    return count([](const std::optional<bool>& right) { return right.has_value(); });
+  }
+  [[nodiscard]] int right() const {
+    return count([](const std::optional<bool>& right) { return right.value_or(false); });
+  }
+  friend bool operator==(const FirstTries&, const FirstTries&) = default;
+
+ private:
+  [[nodiscard]] int count(const auto& is) const {
+    return static_cast<int>(
+        std::count_if(by_step.begin(), by_step.end(), [&](const auto& each) { return is(each.second); }));
+  }
+};
+
 /// The lessons: which is open, its current step, the guesses.
 struct LessonRoom {
   using Actions = Types<action::ShowLessons, action::ListLessons, action::OpenLesson, action::LeaveLesson,
@@ -169,14 +187,13 @@ struct LessonRoom {
   int first_pixel = 0;                  ///< of the strip: rays of earlier pixels are hidden
   bool revealed = false;                ///< the answer of this step is shown
   LessonGuess guess;
-  std::vector<int> hands;                         ///< of a class, for each choice of this step
-  std::map<int, LessonGuess> answered;            ///< the guesses of the steps of `open` that were revealed
-  int right = 0, judged = 0;                      ///< first predictions of this session
-  std::set<std::pair<std::string, int>> counted;  ///< lessons and steps of these questions
-  bool presenter = false;                         ///< shows of hands, every lesson open, and the notes
-  bool notes = false;                             ///< the pane shows presenter's script and teacher's notes
-  bool notes_window = false;                      ///< the notes have a window of their own
-  bool unlocked = false;                          ///< any lesson may be opened, and questions may be skipped
+  std::vector<int> hands;               ///< of a class, for each choice of this step
+  std::map<int, LessonGuess> answered;  ///< the guesses of the steps of `open` that were revealed
+  std::map<std::string, FirstTries, std::less<>> first_tries;  ///< of each lesson, since it was begun
+  bool presenter = false;                                      ///< shows of hands, every lesson open, and the notes
+  bool notes = false;               ///< the pane shows presenter's script and teacher's notes
+  bool notes_window = false;        ///< the notes have a window of their own
+  bool unlocked = false;            ///< any lesson may be opened, and questions may be skipped
   std::array<bool, 2> exchanged{};  ///< what this step enlarges and the plan, by hand; in Move and in Trace
   std::map<std::string, int, std::less<>> done;     ///< finished steps of each lesson
   std::map<std::string, int, std::less<>> left_at;  ///< the step at which each was left, if not at its end

@@ -222,6 +222,7 @@ void open_link(State& state, const std::string& address) {
   if (!opened) return refuse_link(state, opened.error());
   set_walk(state, *link);
   set_moment(state, *link);
+  if (!link->lesson.empty()) state.appearance.front = Front::lesson;  // where the tabs would hide what it asks
   if (!opened->empty()) inform_above(state, *opened);
 }
 
