@@ -111,9 +111,7 @@ std::string report(const State& state, const Interface& interface, const Preview
                          {"step", structure_step(state)},
                          {"steps", structure_steps(state)}};
   if (state.walk.pixel) json["walk"] = {state.walk.pixel->column, state.walk.pixel->row};
-  if (const LessonRoom& sitting = state.lessons; sitting.shown) {
-    int right = 0, judged = 0;
-    for (const auto& [name, tries] : sitting.first_tries) right += tries.right(), judged += tries.judged();
+  if (const LessonRoom& sitting = state.lessons; sitting.shown)
     json["lesson"] = {{"open", sitting.open ? sitting.open->lesson.name : ""},
                       {"step", sitting.step + 1},
                       {"revealed", sitting.revealed},
@@ -122,9 +120,8 @@ std::string report(const State& state, const Interface& interface, const Preview
                       {"notes", sitting.notes},
                       {"notes_window", sitting.notes_window},
                       {"hands", sitting.hands},
-                      {"right", right},
-                      {"judged", judged}};
-  }
+                      {"right", sitting.right()},
+                      {"judged", sitting.judged()}};
   if (state.walk.bug)
     json["bug"] = {
         {"mended", state.walk.bug->mended}, {"known", state.walk.bug->known}, {"hunted", state.bugs.hunt.has_value()}};

@@ -143,3 +143,23 @@ test('without memory for a file the page says so, and lives on', async () => {
   await visit.until((now) => now.question === 'recover', 'what was made is there again');
   await visit.page.close();
 });
+
+test('a page that is loaded again inside of a lesson goes on at its step, and counts what was right before', async () => {
+  const visit = await Visit.begin(browser, server.address), hash = () => visit.page.evaluate(() => location.hash);
+  await go_to(visit, '#v=1/lesson=01-ray-casting/at=2');
+  await visit.until((now) => now.lesson?.open === '01-ray-casting' && now.lesson.step === 2);
+  await visit.page.keyboard.press('3');
+  await visit.page.keyboard.press('Enter');
+  await visit.until((now) => now.lesson.revealed && now.lesson.judged === 1);
+  await visit.page.keyboard.press('Enter');
+  await visit.until((now) => now.lesson.step === 3);
+  assert.equal(await hash(), '#v=1/lesson=01-ray-casting/at=3');
+  await visit.page.reload();
+  await visit.until((now) => now.lesson?.open === '01-ray-casting' && now.lesson.step === 3 && now.lesson.judged === 1);
+  const { items } = await visit.report(), [x, y, width, height] = items['lesson-close'];
+  await visit.page.mouse.click(x + width / 2, y + height / 2);
+  await visit.until((now) => !now.lesson?.open);
+  assert.equal(await hash(), '');
+  assert.deepEqual(visit.complaints, []);
+  await visit.page.close();
+});

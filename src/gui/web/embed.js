@@ -68,10 +68,10 @@ class Embedding {
     const before = this.before ?? { ...now, error: '' };
     this.before = now;
     if (JSON.stringify(before.moment) !== JSON.stringify(now.moment)) this.tell('moved', now.moment);
-    if (now.judged > before.judged)
-      this.tell('predicted', { lesson: now.moment.lesson, lesson_step: now.moment.lesson_step, right: now.right > before.right });
-    if (now.made > before.made) this.tell('predicted', { step: now.moment.step, right: now.last_right });
     const { lesson, lesson_step, lesson_steps } = before.moment;
+    if (lesson && (now.moment.lesson || lesson) === lesson && now.judged > before.judged)
+      this.tell('predicted', { lesson, lesson_step, right: now.right > before.right });
+    if (now.made > before.made) this.tell('predicted', { step: now.moment.step, right: now.last_right });
     const ends = lesson_step === lesson_steps || !(before.done[lesson] >= lesson_steps); // a turn may see the last step left at once
     if (lesson && now.moment.lesson !== lesson && ends && now.done[lesson] >= lesson_steps)
       this.tell('finished', { lesson, right: now.right, judged: now.judged });

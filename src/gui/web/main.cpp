@@ -154,6 +154,8 @@ EMSCRIPTEN_KEEPALIVE const char* page_told() {
   static std::string told;
   const State& state = page_loop().state();
   const LessonRoom& lessons = state.lessons;
+  const auto of_lesson = lessons.first_tries.find(lessons.last);
+  const FirstTries tries = of_lesson == lessons.first_tries.end() ? FirstTries{} : of_lesson->second;
   const bool lesson = lessons.at() != nullptr, predicted = !state.predictions.made.empty();
   const nlohmann::json json{
       {"moment",
@@ -163,8 +165,8 @@ EMSCRIPTEN_KEEPALIVE const char* page_told() {
         {"lesson", lesson ? lessons.open->lesson.name : ""},
         {"lesson_step", lesson ? lessons.step + 1 : 0},
         {"lesson_steps", lesson ? lessons.open->played.steps.size() : 0}}},
-      {"judged", lessons.judged},
-      {"right", lessons.right},
+      {"judged", tries.judged()},
+      {"right", tries.right()},
       {"made", state.predictions.made.size()},
       {"last_right", predicted && state.predictions.made.back().right},
       {"done", lessons.done},

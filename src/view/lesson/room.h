@@ -198,10 +198,20 @@ struct LessonRoom {
   std::map<std::string, int, std::less<>> done;     ///< finished steps of each lesson
   std::map<std::string, int, std::less<>> left_at;  ///< the step at which each was left, if not at its end
 
+  /// First predictions of all lessons, and the right ones of them.
+  [[nodiscard]] int judged() const { return sum(&FirstTries::judged); }
+  [[nodiscard]] int right() const { return sum(&FirstTries::right); }
   [[nodiscard]] const PlayedStep* at() const {
     return open && step < static_cast<int>(open->played.steps.size())
                ? &open->played.steps[static_cast<std::size_t>(step)]
                : nullptr;
+  }
+
+ private:
+  [[nodiscard]] int sum(int (FirstTries::*of)() const) const {
+    int all = 0;
+    for (const auto& [name, tries] : first_tries) all += (tries.*of)();
+    return all;
   }
 };
 
