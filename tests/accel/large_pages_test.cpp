@@ -2,12 +2,19 @@
 
 #include "accel/large_pages.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "support/catch.h"
+
+#ifdef __linux__
+#include <sys/mman.h>
+#include <unistd.h>
+#endif
 
 using namespace raywalk;
 
@@ -52,6 +59,24 @@ TEST_CASE("an array in large pages begins with one where it fills one, and is al
     same = same && array[i].number[0] == static_cast<int>(i) && copy[i].number[0] == static_cast<int>(i);
   CHECK(same);
 }
+
+#ifdef __linux__
+TEST_CASE("memory in large pages is fresh where as much was freed before: what is used again has small pages") {
+  constexpr std::size_t bytes = 2 * large_page;
+  // What is freed first was mapped alone; from then on as much comes from the heap.
+  std::vector<char>(4 * bytes, 'x').clear();
+  std::vector<std::vector<char>> used;
+  for (int i = 0; i < 6; ++i) used.emplace_back(bytes, 'x');
+  used.erase(used.begin(), used.end() - 1);  // the last keeps the heap as long as it is
+  InLargePages<Line> memory;
+  Line* const lines = memory.allocate(bytes / sizeof(Line));
+  const auto page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+  std::vector<unsigned char> resident(bytes / page);
+  REQUIRE(::mincore(lines, bytes, resident.data()) == 0);
+  CHECK(std::none_of(resident.begin(), resident.end(), [](unsigned char page_is) { return (page_is & 1) != 0; }));
+  memory.deallocate(lines, bytes / sizeof(Line));
+}
+#endif
 
 TEST_CASE("Linux is asked for large pages") {
   const LargeArray<Line> array(4 * large_page / sizeof(Line));
