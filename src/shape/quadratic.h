@@ -33,7 +33,7 @@ struct QuadraticRoots {
 
 /// Real is double or DoubleDouble; `discriminant` is b^2 - a c.
 template <class Real>
-[[nodiscard]] QuadraticRoots roots_of(Real a, Real b, Real c, Real discriminant) {
+[[nodiscard, RAYWALK_INLINE]] inline QuadraticRoots roots_of(Real a, Real b, Real c, Real discriminant) {
   using std::sqrt;
   const double a_hi = static_cast<double>(a), b_hi = static_cast<double>(b);
   if (static_cast<double>(discriminant) < 0) return {NAN, NAN, true, a_hi < 0};
