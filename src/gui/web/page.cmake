@@ -107,9 +107,6 @@ set(fastest trace/kernel_double.cpp accel/accelerator.cpp)
 list(TRANSFORM fastest PREPEND src/)
 set_source_files_properties(${fastest} PROPERTIES COMPILE_OPTIONS
   "-O3;-mllvm;-inline-threshold=2500" SKIP_PRECOMPILE_HEADERS ON)
-# Of the accelerators less: most of what is in there, no scene searches often, and it would be 10 kB of the site.
-set_source_files_properties("${CMAKE_SOURCE_DIR}/src/accel/accelerator.cpp" PROPERTIES COMPILE_OPTIONS
-  "-O3;-mllvm;-inline-threshold=350" SKIP_PRECOMPILE_HEADERS ON)
 list(JOIN fastest "|" fastest)
 add_executable(raywalk "${page}/main.cpp" "${page}/mirror.cpp" "${page}/worker.cpp" "${page}/libm.cpp"
   "$<FILTER:$<TARGET_OBJECTS:raywalk_trace>,INCLUDE,${fastest}>" "$<FILTER:$<TARGET_OBJECTS:raywalk_accel>,INCLUDE,${fastest}>")
