@@ -524,3 +524,19 @@ TEST_CASE("the 3-D image waits for the answer where the question is about pictur
   REQUIRE(state.lessons.at()->step->id == "four-times");
   CHECK_FALSE(image_tells_answer(state));
 }
+
+TEST_CASE("the 3-D image does not mark the pixel that a lesson asks about, unless the step shows the image") {
+  State state = test::state_with_lessons();
+  update(state, action::OpenLesson{"01-ray-casting"});
+  update(state, action::GoToLessonStep{2});
+  REQUIRE(state.lessons.at()->step->id == "between");
+  CHECK(mark_tells_answer(state));
+  update(state, action::SetMode{Mode::move});
+  CHECK(mark_tells_answer(state));
+  update(state, action::SetMode{Mode::trace});
+  update(state, action::RevealLesson{});
+  CHECK_FALSE(mark_tells_answer(state));
+  update(state, action::GoToLessonStep{4});
+  REQUIRE(state.lessons.at()->step->pane == LessonBeside::picture);
+  CHECK_FALSE(mark_tells_answer(state));
+}

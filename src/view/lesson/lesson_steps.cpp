@@ -354,10 +354,11 @@ void action::RevealLesson::apply(State& state) const {
   sitting.revealed = true;
   sitting.answered[sitting.step] = sitting.guess;
   const auto verdict = judge(sitting);
-  read_progress(state);
-  sitting.first_tries[sitting.open->lesson.name].by_step.try_emplace(
-      sitting.step, verdict ? std::optional(verdict->right) : std::nullopt);
-  write_progress(state);
+  auto& tries = sitting.first_tries[sitting.open->lesson.name].by_step;
+  if (tries.try_emplace(sitting.step, verdict ? std::optional(verdict->right) : std::nullopt).second) {
+    read_progress(state);
+    write_progress(state);
+  }
   // A student may have walked elsewhere, or changed the scene.
   if (!is_staged(state)) {
     const LessonGuess guess = sitting.guess;
