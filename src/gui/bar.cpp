@@ -113,7 +113,7 @@ bool show_menu(const Ui& ui, const Menu& menu, bool open) {
   }
   const float line = ImGui::GetTextLineHeight(), entries = static_cast<float>(rows),
               lines = static_cast<float>(menu.parts.size());
-  const float gap = (window - bar - ui.px(32) - entries * line - lines) / (entries + lines);
+  const float gap = (window - bar - ui.px(24) - entries * line - lines) / (entries + lines);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
                       {ui.px(10), std::clamp(gap, ui.px(1), ui.px(ui.state.appearance.touch ? 14 : 6))});
   bool first = true;
