@@ -4,11 +4,14 @@
 //
 //   benchmark_mesh_race [RAYS] [RUNS] [MESH...]
 //
-// RAYS of each kind, in thousands; MESH: bunny, million, slivers or soup. The bunny is data/bunny_room.ply of the
-// shared folder. Exits 1 when one of Raywalk's answers is wrong.
+// RAYS of each kind, in thousands; MESH: bunny, million, ten (million; 6 GB), slivers or soup, or a number: hills of
+// about as many triangles. The bunny is data/bunny_room.ply of the shared folder, a room seen from inside. Exits 1 when
+// one of Raywalk's answers is wrong.
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -154,8 +157,17 @@ struct EmbreeScene {
   RTCDevice device = rtcNewDevice("threads=1");
   RTCScene scene = rtcNewScene(device);
   double build_seconds = 0;
+  // What the device holds now; and more than before it built: the tree, with its triangles, without the mesh.
+  std::int64_t held_bytes = 0, tree_bytes = 0;
 
   EmbreeScene(const Mesh& mesh, bool robust) {
+    rtcSetDeviceMemoryMonitorFunction(
+        device,
+        [](void* held, ssize_t bytes, bool) {
+          *static_cast<std::int64_t*>(held) += bytes;
+          return true;
+        },
+        &held_bytes);
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
     auto* positions = static_cast<float*>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), mesh.positions.size()));
@@ -165,6 +177,7 @@ struct EmbreeScene {
         geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), mesh.triangles.size()));
     for (const Mesh::Corners& triangle : mesh.triangles)
       for (const std::int32_t corner : triangle) *corners++ = static_cast<std::uint32_t>(corner);
+    const std::int64_t mesh_bytes = held_bytes;
     const double begin = processor_seconds();
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(scene, geometry);
@@ -173,6 +186,7 @@ struct EmbreeScene {
     if (robust) rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
     rtcCommitScene(scene);
     build_seconds = processor_seconds() - begin;
+    tree_bytes = held_bytes - mesh_bytes;
   }
   ~EmbreeScene() {
     rtcReleaseScene(scene);
@@ -320,7 +334,9 @@ int race(const Subject& subject, int thousands, int runs) {
   const std::size_t own = racers.size();
 #ifdef RAYWALK_EMBREE
   const EmbreeScene plain(subject.mesh, false), robust(subject.mesh, true);
-  std::printf("Embree HIGH built in %.3f s, robust %.3f s\n", plain.build_seconds, robust.build_seconds);
+  std::printf("Embree HIGH built in %.3f s, %.1f MB, robust %.3f s, %.1f MB\n", plain.build_seconds,
+              static_cast<double>(plain.tree_bytes) / 1e6, robust.build_seconds,
+              static_cast<double>(robust.tree_bytes) / 1e6);
   const auto add = [&](const char* name, const EmbreeScene& scene, auto trace) {
     racers.push_back({name, scene.build_seconds,
                       [&scene, trace](const RaySet& set, std::vector<int>& out) { trace(scene.scene, set, out); }});
@@ -385,7 +401,9 @@ int main(int argc, char** argv) {
   std::vector<std::string> names(argv + std::min(argc, 3), argv + argc);
   if (names.empty()) names = {"bunny", "million", "slivers", "soup"};
   if (thousands < 1 || runs < 1) {
-    std::fputs("usage: benchmark_mesh_race [THOUSANDS OF RAYS] [RUNS] [bunny] [million] [slivers] [soup]\n", stderr);
+    std::fputs(
+        "usage: benchmark_mesh_race [THOUSANDS OF RAYS] [RUNS] [bunny] [million] [ten] [slivers] [soup] [NUMBER]\n",
+        stderr);
     return 2;
   }
   int wrong = 0;
@@ -393,6 +411,9 @@ int main(int argc, char** argv) {
     std::optional<Subject> subject;
     if (name == "bunny") subject = bunny();
     if (name == "million") subject = hills("a million triangles", 708);
+    if (name == "ten") subject = hills("ten million triangles", 2236);
+    if (const double triangles = std::atof(name.c_str()); triangles >= 2 && triangles <= 1e8)
+      subject = hills("hills", static_cast<int>(std::lround(std::sqrt(triangles / 2))));
     if (name == "slivers") subject = slivers();
     if (name == "soup") subject = soup();
     if (!subject) {
