@@ -14,9 +14,11 @@
 # ours is even; we also send a ray to the sky from every matt point, and end paths by Russian roulette. The mean
 # colours have to agree within 2%, and the means of 8 x 5 parts of the picture within 6%.
 #
-# Runs take turns, and the medians of processor seconds of the whole programs are compared; goal: at most a tenth of
-# the book's. Exits 1 when it is missed or the pictures differ, 2 when something is missing. Environment:
-# RAYWALK_RACE_SCALE (a share of the samples: 0.1 to try the script).
+# Runs take turns, each with a seed of its own, and the medians of processor seconds of the whole programs are compared;
+# goal: at most a tenth of the book's. The variance of a pixel is half the mean square of what differs between the first
+# two runs; times that, the ratio is that of seconds to equal error. Exits 1 when the goal is missed or
+# the pictures differ, 2 when something is missing. Environment: RAYWALK_RACE_SCALE (a share of the samples: 0.1 to try
+# the script).
 set -euo pipefail
 source_dir=$(cd "$(dirname "$0")/../.." && pwd)
 build=$(realpath "${1:-$source_dir/build/release}")
@@ -38,7 +40,8 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
 sed -E -e "s/(image_width *= *)[0-9]+/\1$width/" -e "s/(samples_per_pixel *= *)[0-9]+/\1$samples/" \
-  -e "s/(max_depth *= *)[0-9]+/\1$depth/" "$book/main.cc" >"$scratch/main.cc"
+  -e "s/(max_depth *= *)[0-9]+/\1$depth/" -e 's/camera cam;/std::srand(std::atoi(std::getenv("RTIOW_SEED"))); &/' \
+  "$book/main.cc" >"$scratch/main.cc"
 
 # The camera that writes the scene; it takes the place of the book's, whose header thinks that it was read before.
 cat >"$scratch/writer.cc" <<'CPLUSPLUS'
@@ -105,7 +108,7 @@ g++ -std=c++17 -O3 -DNDEBUG -w "-I$book" "$scratch/main.cc" -o "$scratch/book" |
   missing "the book's program does not compile"
 g++ -std=c++17 -O3 -DNDEBUG -w "-I$book" "-I$scratch" "$scratch/writer.cc" -o "$scratch/writer" ||
   missing "the book's scene cannot be written (is the checkout of release 4?)"
-"$scratch/writer" >"$scratch/cover.toml"
+RTIOW_SEED=1 "$scratch/writer" >"$scratch/cover.toml"
 
 # seconds COMMAND...: runs it, and prints its processor seconds.
 seconds() {
@@ -123,49 +126,73 @@ median() {
 
 for ((run = 1; run <= runs; ++run)); do
   for precision in double float; do
-    seconds "$build/raywalk" render "$scratch/cover.toml" -o "$scratch/cover.pfm" --precision "$precision" --threads 1 \
-      --quiet >>"$scratch/$precision"
+    seconds "$build/raywalk" render "$scratch/cover.toml" -o "$scratch/$run.pfm" --precision "$precision" --threads 1 \
+      --seed "$run" --quiet >>"$scratch/$precision"
   done
-  seconds "$scratch/book" >>"$scratch/book.seconds"
+  RTIOW_SEED=$run seconds "$scratch/book" >>"$scratch/book.seconds"
+  mv "$scratch/out" "$scratch/$run.ppm"
 done
 
 # The book's picture has 8 bits and a gamma of 2; ours gets as much.
 failed=0
-python3 - "$scratch/out" "$scratch/cover.pfm" <<'PYTHON' || failed=1
+python3 - "$scratch" "$runs" <<'PYTHON' || failed=1
 import array, math, sys
 
-with open(sys.argv[1]) as file:
-    width, height, _, *theirs = map(int, file.read().split()[1:])
-with open(sys.argv[2], "rb") as file:
-    assert file.readline() == b"PF\n" and file.readline().split() == [b"%d" % width, b"%d" % height]
-    file.readline()
-    upward = array.array("f", file.read())
-rows = [upward[3 * width * y:][:3 * width] for y in reversed(range(height))]
-ours = [int(256 * min(math.sqrt(max(v, 0)), 0.999)) for row in rows for v in row]
+scratch, runs = sys.argv[1], int(sys.argv[2])
+
+def linear(values):
+    return [((value + 0.5) / 256) ** 2 for value in values]
+
+def book(run):
+    with open(f"{scratch}/{run}.ppm") as file:
+        width, height, _, *values = map(int, file.read().split()[1:])
+    return width, height, linear(values)
+
+def ours(run):
+    with open(f"{scratch}/{run}.pfm", "rb") as file:
+        assert file.readline() == b"PF\n"
+        width, height = map(int, file.readline().split())
+        file.readline()
+        upward = array.array("f", file.read())
+    rows = [upward[3 * width * y:][:3 * width] for y in reversed(range(height))]
+    return width, height, linear(int(256 * min(math.sqrt(max(v, 0)), 0.999)) for row in rows for v in row)
+
+width, height, our_picture = ours(1)
+their_width, their_height, their_picture = book(1)
+assert (width, height) == (their_width, their_height)
 
 def mean(picture, channel, x0=0, x1=width, y0=0, y1=height):
-    part = [((picture[3 * (y * width + x) + channel] + 0.5) / 256) ** 2 for y in range(y0, y1) for x in range(x0, x1)]
-    return sum(part) / len(part)
+    return sum(sum(picture[3 * (y * width + x0) + channel:3 * (y * width + x1):3]) for y in range(y0, y1)) / (
+        (x1 - x0) * (y1 - y0))
 
-colours = [[mean(picture, channel) for channel in range(3)] for picture in (ours, theirs)]
+colours = [[mean(picture, channel) for channel in range(3)] for picture in (our_picture, their_picture)]
 worst = max(abs(a / b - 1) for a, b in zip(*colours))
 wide, high = width // 8, height // 5
 parts = [(x, x + wide, y, y + high) for y in range(0, height, high) for x in range(0, width, wide)]
-off = sorted(abs(sum(mean(ours, channel, *part) for channel in range(3)) /
-                 sum(mean(theirs, channel, *part) for channel in range(3)) - 1) for part in parts)
+off = sorted(abs(sum(mean(our_picture, channel, *part) for channel in range(3)) /
+                 sum(mean(their_picture, channel, *part) for channel in range(3)) - 1) for part in parts)
 print("mean colours " + " and ".join("(%.4f, %.4f, %.4f)" % tuple(colour) for colour in colours) +
       f", {100 * worst:.2f}% apart; 40 parts differ by {100 * off[20]:.2f}% (median), {100 * off[-1]:.2f}% at most")
+if runs > 1:
+    variances = [sum((a - b) ** 2 for a, b in zip(first, read(2)[2])) / (2 * len(first))
+                 for first, read in ((our_picture, ours), (their_picture, book))]
+    with open(f"{scratch}/errors", "w") as file:
+        print(variances[0] / variances[1], file=file)
+    print("variance of a pixel %.3g and %.3g" % tuple(variances))
 sys.exit(worst > 0.02 or off[-1] > 0.06)
 PYTHON
 ((failed)) && echo "rtiow.sh: the pictures differ" >&2
 
+errors=$(cat "$scratch/errors" 2>/dev/null || true)  # none of a single run
 printf '%-7s %11s %11s %7s  goal: at most %s\n' scalar raywalk book ratio $goal
 for precision in double float; do
-  awk -v precision="$precision" -v goal="$goal" \
+  awk -v precision="$precision" -v goal="$goal" -v errors="$errors" \
     -v ours="$(median "$scratch/$precision")" -v theirs="$(median "$scratch/book.seconds")" 'BEGIN {
       ratio = theirs > 0 ? ours / theirs : 1
-      printf "%-7s %9.3f s %9.3f s %7.3f  %s\n", precision, ours, theirs, ratio, (ratio > goal ? "missed" : "met")
-      exit ratio > goal
+      met = ratio > goal ? "missed" : "met"
+      printf "%-7s %9.3f s %9.3f s %7.3f  %s", precision, ours, theirs, ratio, met
+      print (errors == "" ? "" : sprintf("; to equal error %.3f", ratio * errors))
+      exit met == "missed"
     }' || failed=1
 done
 echo "medians of $runs interleaved runs, one thread, processor seconds of the whole programs," \
