@@ -20,7 +20,7 @@
 # 0.1 to try the script).
 set -euo pipefail
 source_dir=$(cd "$(dirname "$0")/../.." && pwd)
-build=$(realpath "${1:-$source_dir/build/release}")
+build=$(realpath -m "${1:-$source_dir/build/release}")
 runs=${2:-5}
 goal=0.5 samples=16 reference_samples=512
 length=10   # most rays of a path

@@ -21,7 +21,7 @@
 # the script).
 set -euo pipefail
 source_dir=$(cd "$(dirname "$0")/../.." && pwd)
-build=$(realpath "${1:-$source_dir/build/release}")
+build=$(realpath -m "${1:-$source_dir/build/release}")
 runs=${2:-5}
 checkout=${3:-${RTIOW_SOURCE:-}}
 goal=0.1 width=400 height=225 depth=50
