@@ -4,7 +4,7 @@
 //
 //   benchmark_mesh_race [RAYS] [RUNS] [MESH...]
 //
-// RAYS of each kind, in thousands; MESH: bunny, million, ten (million; 6 GB), slivers or soup, or a number: hills of
+// RAYS of each kind, in thousands; MESH: bunny, million, ten (million; 4.6 GB), slivers or soup, or a number: hills of
 // about as many triangles. The bunny is data/bunny_room.ply of the shared folder, a room seen from inside. Exits 1 when
 // one of Raywalk's answers is wrong.
 
