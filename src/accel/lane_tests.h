@@ -57,17 +57,24 @@ RAYWALK_LANE_TARGET inline unsigned meet(const HeldRay& ray, const WideNode& nod
   return bits;
 }
 
+/// In each lane, what of a MeshRay its triangles are tested with: of one ray, or of several.
+struct SiftedRay {
+  Group origin[3], shear[2], forward, grain, size, reach;
+};
+
+/// `reach_of` in each lane.
+RAYWALK_LANE_TARGET inline Group reach_of(Group t_far, Group depth_per_t) {
+  return t_far * depth_per_t * all_of(1 + 8 * std::numeric_limits<float>::epsilon());
+}
+
 /// A corner seen from the ray, which is its z axis.
 struct LaneCorner {
   Group x, y, z;
 };
 
-RAYWALK_LANE_TARGET inline LaneCorner sheared(const MeshRay& ray, const TrianglePack& pack, unsigned corner,
-                                              unsigned lane) {
-  const auto& of = pack.corners[corner];
-  const Group z = at_offset(of, ray.axes[2], lane) - all_of(ray.origin[2]);
-  return {at_offset(of, ray.axes[0], lane) - all_of(ray.origin[0]) - all_of(ray.shear[0]) * z,
-          at_offset(of, ray.axes[1], lane) - all_of(ray.origin[1]) - all_of(ray.shear[1]) * z, z};
+RAYWALK_LANE_TARGET inline LaneCorner sheared(const SiftedRay& ray, Group x, Group y, Group z) {
+  const Group deep = z - ray.origin[2];
+  return {x - ray.origin[0] - ray.shear[0] * deep, y - ray.origin[1] - ray.shear[1] * deep, deep};
 }
 
 /// The largest of three, without their signs.
@@ -75,8 +82,8 @@ RAYWALK_LANE_TARGET inline Group largest(Group a, Group b, Group c) {
   return max(absolute(a), max(absolute(b), absolute(c)));
 }
 
-/// A bit for each of the pack's first `count` lanes, unless the ray certainly misses its triangle or reaches it only
-/// beyond `reach_of` its t_far.
+/// A bit for each lane whose ray certainly misses its triangle, or reaches it only beyond `reach`. Of the lanes in
+/// `asked`; what it says of others means nothing.
 ///
 /// The test is that of shape/triangle.h. With h = 2^-24, half an ulp of 1, a corner's x or y errs by at most 3h|x| +
 /// 6h|z| + 4h|o|: h each of x and z by the difference; where positions are in double, h each of x, z and twice of the
@@ -90,44 +97,67 @@ RAYWALK_LANE_TARGET inline Group largest(Group a, Group b, Group c) {
 /// `least` account for. Where something leaves float's range, or is NaN, no comparison is true, and nothing is ruled
 /// out.
 ///
-/// With `certain`, a bit there for each triangle that is as certainly hit before its t_far, and not so near that a ray
-/// which leaves a neighbour may be taken to leave this one (Triangles::leaves_by_edge).
+/// With `certain`, a bit there for each that is as certainly hit before its t_far, and not so near that a ray which
+/// leaves a neighbour may be taken to leave this one (Triangles::leaves_by_edge).
+template <bool wants_certain>
+RAYWALK_LANE_TARGET inline unsigned certainly_missed(const SiftedRay& ray, const LaneCorner& a, const LaneCorner& b,
+                                                     const LaneCorner& c, unsigned asked, unsigned& certain) {
+  constexpr float half_ulp = std::numeric_limits<float>::epsilon() / 2, least = std::numeric_limits<float>::min();
+  const Group across = max(largest(a.x, b.x, c.x), largest(a.y, b.y, c.y)), depth = largest(a.z, b.z, c.z);
+  const Group corner_error = all_of(8 * half_ulp) * (across + (depth + depth) + ray.grain);
+  const Group error = all_of(4) * across * corner_error + all_of(least);
+  const Group u = c.x * b.y - c.y * b.x, v = a.x * c.y - a.y * c.x, w = b.x * a.y - b.y * a.x;
+  const unsigned outside = bits_where((max(u, max(v, w)) > error) & (min(u, min(v, w)) < -error));
+  if ((asked & ~outside) == 0) return outside;
+  // The interval of the triangle's depth along the ray; t is computed to within less than the triangle's own extent.
+  const Group az = a.z * ray.forward, bz = b.z * ray.forward, cz = c.z * ray.forward;
+  const Group nearest = min(az, min(bz, cz)), farthest = max(az, max(bz, cz));
+  const Group margin = corner_error + corner_error;
+  const auto behind = farthest < -corner_error;
+  const auto beyond = nearest - (farthest - nearest) > ray.reach + margin;
+  // Where the triangle is seen broadly enough, its depth on the ray itself, times its area.
+  const Group area = absolute(u + v + w), wide = area + all_of(4) * error;
+  const Group at = with_signs_of(u + v + w, all_of(1)) * (u * az + v * bz + w * cz);
+  const Group slack = all_of(4) * error * (across + depth + corner_error) + margin * wide + all_of(least);
+  const auto broad = area > all_of(4) * error;
+  const auto off = (at < -slack) | (at - slack > ray.reach * wide);
+  if constexpr (wants_certain) {
+    const Group short_of_it = ray.reach * all_of(1 - 64 * half_ulp), narrow = area - all_of(4) * error;
+    const Group size = across + depth + ray.size;
+    const auto inside = (min(u, min(v, w)) > error) | (max(u, max(v, w)) < -error);
+    const auto ahead = (at - slack > all_of(128 * half_ulp) * size * wide) & (at + slack < short_of_it * narrow);
+    certain = bits_where(inside & broad & ahead);
+  }
+  return outside | bits_where(behind | beyond | (broad & off));
+}
+
+RAYWALK_LANE_TARGET inline LaneCorner sheared(const MeshRay& axes, const SiftedRay& ray, const TrianglePack& pack,
+                                              unsigned corner, unsigned lane) {
+  const auto& of = pack.corners[corner];
+  return sheared(ray, at_offset(of, axes.axes[0], lane), at_offset(of, axes.axes[1], lane),
+                 at_offset(of, axes.axes[2], lane));
+}
+
+/// A bit for each of the pack's first `count` lanes, unless the ray certainly misses its triangle or reaches it only
+/// beyond `held_reach`, `reach_of` its t_far; and `certain` of certainly_missed.
 template <bool wants_certain>
 RAYWALK_LANE_TARGET inline unsigned sift(const MeshRay& ray, float held_reach, const TrianglePack& pack, unsigned count,
                                          unsigned& certain) {
-  constexpr float half_ulp = std::numeric_limits<float>::epsilon() / 2, least = std::numeric_limits<float>::min();
+  const SiftedRay terms{{all_of(ray.origin[0]), all_of(ray.origin[1]), all_of(ray.origin[2])},
+                        {all_of(ray.shear[0]), all_of(ray.shear[1])},
+                        all_of(ray.forward),
+                        all_of(ray.grain),
+                        all_of(ray.size),
+                        all_of(held_reach)};
   const unsigned all = (1U << count) - 1;
   unsigned missed = 0;
   for (unsigned lane = 0; lane < (group_lanes == tree_width ? 1 : count); lane += group_lanes) {
-    const LaneCorner a = sheared(ray, pack, 0, lane), b = sheared(ray, pack, 1, lane), c = sheared(ray, pack, 2, lane);
-    const Group across = max(largest(a.x, b.x, c.x), largest(a.y, b.y, c.y)), depth = largest(a.z, b.z, c.z);
-    const Group corner_error = all_of(8 * half_ulp) * (across + (depth + depth) + all_of(ray.grain));
-    const Group error = all_of(4) * across * corner_error + all_of(least);
-    const Group u = c.x * b.y - c.y * b.x, v = a.x * c.y - a.y * c.x, w = b.x * a.y - b.y * a.x;
-    const auto outside = (max(u, max(v, w)) > error) & (min(u, min(v, w)) < -error);
-    const unsigned bits = bits_where(outside);
-    missed |= bits << lane;
-    if ((~missed & all) >> lane == 0) continue;
-    // The interval of the triangle's depth along the ray; t is computed to within less than the triangle's own extent.
-    const Group forward = all_of(ray.forward), az = a.z * forward, bz = b.z * forward, cz = c.z * forward;
-    const Group nearest = min(az, min(bz, cz)), farthest = max(az, max(bz, cz));
-    const Group margin = corner_error + corner_error, reach = all_of(held_reach);
-    const auto behind = farthest < -corner_error;
-    const auto beyond = nearest - (farthest - nearest) > reach + margin;
-    // Where the triangle is seen broadly enough, its depth on the ray itself, times its area.
-    const Group area = absolute(u + v + w), wide = area + all_of(4) * error;
-    const Group at = with_signs_of(u + v + w, all_of(1)) * (u * az + v * bz + w * cz);
-    const Group slack = all_of(4) * error * (across + depth + corner_error) + margin * wide + all_of(least);
-    const auto broad = area > all_of(4) * error;
-    const auto off = (at < -slack) | (at - slack > reach * wide);
-    missed |= bits_where(behind | beyond | (broad & off)) << lane;
-    if constexpr (wants_certain) {
-      const Group short_of_it = all_of(held_reach * (1 - 64 * half_ulp)), narrow = area - all_of(4) * error;
-      const Group size = across + depth + all_of(ray.size);
-      const auto inside = (min(u, min(v, w)) > error) | (max(u, max(v, w)) < -error);
-      const auto ahead = (at - slack > all_of(128 * half_ulp) * size * wide) & (at + slack < short_of_it * narrow);
-      certain |= bits_where(inside & broad & ahead) << lane;
-    }
+    unsigned certain_here = 0;
+    missed |= certainly_missed<wants_certain>(terms, sheared(ray, terms, pack, 0, lane),
+                                              sheared(ray, terms, pack, 1, lane), sheared(ray, terms, pack, 2, lane),
+                                              all >> lane & ((1U << group_lanes) - 1), certain_here)
+              << lane;
+    if constexpr (wants_certain) certain |= certain_here << lane;
   }
   if constexpr (wants_certain) certain &= all;
   return ~missed & all;

@@ -1,5 +1,5 @@
 #pragma once
-// A packet's rays against boxes, a group of lanes at a time. Included where lane_tests.h is.
+// A packet's rays against boxes and triangles, a group of lanes at a time. Included where lane_tests.h is.
 
 /// A bit for each box of the node that some ray of the packet may hit before `t_far`, and a bound of where the first
 /// enters it: interval arithmetic (I. Wald, S. Boulos and P. Shirley, "Ray tracing deformable scenes using dynamic
@@ -24,8 +24,9 @@ RAYWALK_LANE_TARGET inline unsigned meet(const RayPacket& packet, float t_far, c
   return bits;
 }
 
-RAYWALK_LANE_TARGET inline Group plane_in_all(const WideNode& node, std::size_t offset, unsigned box) {
-  return all_of(reinterpret_cast<const float*>(reinterpret_cast<const char*>(&node) + offset)[box]);
+/// A float at a byte offset, in all lanes.
+RAYWALK_LANE_TARGET inline Group in_all(const float* first, std::size_t offset) {
+  return all_of(*reinterpret_cast<const float*>(reinterpret_cast<const char*>(first) + offset));
 }
 
 /// A bit for each of `rays` that hits the node's box in lane `box` before its t_far: as the ray's own test decides.
@@ -37,11 +38,42 @@ RAYWALK_LANE_TARGET inline unsigned rays_that_meet(const RayPacket& packet, cons
     Group enters = all_of(0), leaves = loaded(packet.t_far + first);
     for (int axis = 0; axis < 3; ++axis) {
       const Group inverse = loaded(packet.inverse[axis] + first);
-      const Group near = plane_in_all(node, packet.near[axis], box), far = plane_in_all(node, packet.far[axis], box);
+      const float* const planes = &node.planes[0][box];
+      const Group near = in_all(planes, packet.near[axis]), far = in_all(planes, packet.far[axis]);
       enters = max((near - loaded(packet.from_in[axis] + first)) * inverse, enters);
       leaves = min((far - loaded(packet.from_out[axis] + first)) * inverse, leaves);
     }
     bits |= bits_where(enters <= leaves) << first;
   }
   return bits & rays;
+}
+
+RAYWALK_LANE_TARGET inline LaneCorner sheared(const RayPacket& packet, const SiftedRay& rays, const TrianglePack& pack,
+                                              unsigned corner, unsigned lane) {
+  const float* const of = &pack.corners[corner][0][lane];
+  return sheared(rays, in_all(of, packet.axes[0]), in_all(of, packet.axes[1]), in_all(of, packet.axes[2]));
+}
+
+/// A bit for each of `rays`, unless it certainly misses the pack's triangle in lane `lane` or reaches it only beyond
+/// its t_far: as `sift` decides for the ray alone.
+RAYWALK_LANE_TARGET inline unsigned rays_that_may_hit(const RayPacket& packet, const TrianglePack& pack, unsigned lane,
+                                                      unsigned rays) {
+  unsigned missed = 0;
+  for (unsigned first = 0; first < RayPacket::most; first += group_lanes) {
+    const unsigned asked = rays >> first & ((1U << group_lanes) - 1);
+    if (asked == 0) continue;
+    const SiftedRay terms{
+        {loaded(packet.origin[0] + first), loaded(packet.origin[1] + first), loaded(packet.origin[2] + first)},
+        {loaded(packet.shear[0] + first), loaded(packet.shear[1] + first)},
+        all_of(packet.forward),
+        loaded(packet.grain + first),
+        all_of(0),
+        reach_of(loaded(packet.t_far + first), loaded(packet.depth_per_t + first))};
+    unsigned certain;
+    missed |=
+        certainly_missed<false>(terms, sheared(packet, terms, pack, 0, lane), sheared(packet, terms, pack, 1, lane),
+                                sheared(packet, terms, pack, 2, lane), asked, certain)
+        << first;
+  }
+  return ~missed & rays;
 }

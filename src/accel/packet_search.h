@@ -11,7 +11,7 @@ namespace raywalk {
 /// calls of `next`, the caller tests what was found for each ray.
 class PacketSearch {
  public:
-  /// Of rays that are alike, RayPacket::most at most, which outlive this, as the tree does. `nearest_first`: whether
+  /// Of rays that are coherent, RayPacket::most at most, which outlive this, as the tree does. `nearest_first`: whether
   /// hits will shorten rays.
   PacketSearch(const WideTree& tree, std::span<const MeshRay> rays, bool nearest_first);
 

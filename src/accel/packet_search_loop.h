@@ -9,7 +9,7 @@
 namespace raywalk {
 
 struct PacketLoop {
-  /// `Tests` has what is in accel/packet_lane_tests.h, and `sift` of accel/lane_tests.h.
+  /// `Tests`: see accel/searches_at_width.h.
   template <class Tests, bool nearest_first>
   [[gnu::always_inline]] static inline bool run(PacketSearch& search) {
     const RayPacket& packet = search.packet_;
@@ -48,15 +48,7 @@ struct PacketLoop {
       if (child.is_pack()) {
         search.pack_ = &search.tree_.pack(child.index());
         search.ids_ = search.pack_->ids;
-        search.rays_ = 0;
-        for (unsigned bits = rays; bits != 0; bits &= bits - 1) {
-          const auto ray = static_cast<unsigned>(std::countr_zero(bits));
-          const unsigned candidates =
-              Tests::sift(search.mesh_rays_[ray], packet.t_far[ray], *search.pack_, child.count());
-          search.candidates_[ray] = static_cast<std::uint8_t>(candidates);
-          search.passed_over_ += candidates == 0 ? child.count() : 0;
-          search.rays_ |= unsigned{candidates != 0} << ray;
-        }
+        sift<Tests>(search, rays, child.count());
         if (search.rays_ == 0) continue;
       } else {
         search.pack_ = nullptr;
@@ -72,6 +64,32 @@ struct PacketLoop {
   }
 
  private:
+  /// Finds out which of `rays` may hit what of the pack: ray by ray or triangle by triangle, whichever takes fewer
+  /// steps.
+  template <class Tests>
+  [[gnu::always_inline]] static inline void sift(PacketSearch& search, unsigned rays, unsigned count) {
+    const RayPacket& packet = search.packet_;
+    const unsigned asking = bit_count(rays);
+    search.rays_ = 0;
+    if (asking * Tests::groups_of_triangles > count * Tests::groups_of_rays) {
+      search.candidates_.fill(0);
+      for (unsigned lane = 0; lane < count; ++lane) {
+        const unsigned hits = Tests::rays_that_may_hit(packet, *search.pack_, lane, rays);
+        search.rays_ |= hits;
+        for (unsigned bits = hits; bits != 0; bits &= bits - 1)
+          search.candidates_[static_cast<unsigned>(std::countr_zero(bits))] |= static_cast<std::uint8_t>(1U << lane);
+      }
+    } else {
+      for (unsigned bits = rays; bits != 0; bits &= bits - 1) {
+        const auto ray = static_cast<unsigned>(std::countr_zero(bits));
+        const unsigned candidates = Tests::sift(search.mesh_rays_[ray], packet.t_far[ray], *search.pack_, count);
+        search.candidates_[ray] = static_cast<std::uint8_t>(candidates);
+        search.rays_ |= unsigned{candidates != 0} << ray;
+      }
+    }
+    search.passed_over_ += count * (asking - bit_count(search.rays_));
+  }
+
   /// Not every processor has an instruction for it.
   static unsigned bit_count(unsigned rays) {
     rays -= rays >> 1 & 0x5555U;

@@ -15,7 +15,8 @@ namespace raywalk {
 struct RayPacket {
   static constexpr unsigned most = 16;
 
-  /// Of rays that are `alike`. What is missing is a ray that meets no box.
+  /// Of rays that are `alike`; of triangles they can be asked where they are `coherent`. What is missing is a ray that
+  /// meets no box.
   explicit RayPacket(std::span<const MeshRay> rays);
 
   /// Whether two may be in one packet: their slopes have the same signs, none of them 0.
@@ -26,11 +27,13 @@ struct RayPacket {
   [[nodiscard]] unsigned all() const { return (1U << count) - 1; }  ///< a bit for each ray
 
   // As in MeshRay, by axis and ray. A t_far of -1: the ray meets no box any more.
-  alignas(32) float from_in[3][most], from_out[3][most], inverse[3][most], t_far[most];
+  alignas(64) float from_in[3][most], from_out[3][most], inverse[3][most], t_far[most];
+  float origin[3][most], shear[2][most], grain[most], depth_per_t[most];
   // No ray enters a box before one from `enter` would, or leaves it after one from `leave`, were `inverse` either of
   // its bounds (packet_lane_tests.h).
   float enter[3], leave[3], least_inverse[3], most_inverse[3];
-  std::uint32_t near[3], far[3];
+  float forward;
+  std::uint32_t near[3], far[3], axes[3];
   unsigned count;
 
  private:
@@ -76,8 +79,10 @@ inline RayPacket::RayPacket(std::span<const MeshRay> rays) : count(static_cast<u
     const MeshRay& ray = rays[i < count ? i : 0];
     for (int axis = 0; axis < 3; ++axis) {
       from_in[axis][i] = ray.from_in[axis], from_out[axis][i] = ray.from_out[axis];
-      inverse[axis][i] = ray.inverse[axis];
+      inverse[axis][i] = ray.inverse[axis], origin[axis][i] = ray.origin[axis];
     }
+    shear[0][i] = ray.shear[0], shear[1][i] = ray.shear[1];
+    grain[i] = ray.grain, depth_per_t[i] = ray.depth_per_t;
     t_far[i] = -1;
   }
   for (int axis = 0; axis < 3; ++axis) {
@@ -85,8 +90,9 @@ inline RayPacket::RayPacket(std::span<const MeshRay> rays) : count(static_cast<u
     const bool negative = slope.least < 0;
     enter[axis] = negative ? in.least : in.greatest, leave[axis] = negative ? out.greatest : out.least;
     least_inverse[axis] = slope.least, most_inverse[axis] = slope.greatest;
-    near[axis] = rays[0].near[axis], far[axis] = rays[0].far[axis];
+    near[axis] = rays[0].near[axis], far[axis] = rays[0].far[axis], axes[axis] = rays[0].axes[axis];
   }
+  forward = rays[0].forward;
 }
 
 }  // namespace raywalk

@@ -1,25 +1,11 @@
 #include "accel/wide_search.h"
 
-#include "accel/lanes_four.h"
-#include "accel/wide_search_eight.h"
+#include "accel/lane_searches.h"
 #include "accel/wide_search_loop.h"
-#include "accel/width.h"
 
 namespace raywalk {
 
 namespace {
-
-struct FourAtATime {
-  using Held = four::HeldRay;
-  static void hold(const MeshRay& ray, float t_far, Held& held) { four::hold(ray, t_far, held); }
-  static unsigned meet(const Held& ray, const WideNode& node, BoxEntry* entries) {
-    return four::meet(ray, node, entries);
-  }
-  template <bool wants_certain>
-  static unsigned sift(const Held& ray, const TrianglePack& pack, unsigned count, unsigned& certain) {
-    return four::sift<wants_certain>(*ray.ray, ray.reach, pack, count, certain);
-  }
-};
 
 /// Boxes in the ray's own precision; every triangle is left to its own test.
 template <class Slabs>
@@ -45,25 +31,18 @@ struct OneByOne {
   }
 };
 
-template <class Tests, bool nearest_first, bool watched, class Terms>
+template <class Terms, bool nearest_first, bool watched>
 bool advance(WideSearch<Terms>& search, typename WideSearch<Terms>::Far t_far) {
-  return SearchLoop::run<Tests, nearest_first, watched>(search, t_far);
+  return SearchLoop::run<OneByOne<Terms>, nearest_first, watched>(search, t_far);
 }
 
 template <class Terms>
 auto advance_for(bool nearest_first, bool watched) {
   if constexpr (std::is_same_v<Terms, MeshRay>) {
-    // A record is of nodes, which are the same at every width.
-    if (!watched && lane_width() == LaneWidth::eight) return advance_eight(nearest_first);
-    if (watched)
-      return nearest_first ? &advance<FourAtATime, true, true, Terms> : &advance<FourAtATime, false, true, Terms>;
-    return nearest_first ? &advance<FourAtATime, true, false, Terms> : &advance<FourAtATime, false, false, Terms>;
+    return watched ? watched_search(nearest_first) : lane_searches().alone[nearest_first];
   } else {
-    if (watched)
-      return nearest_first ? &advance<OneByOne<Terms>, true, true, Terms>
-                           : &advance<OneByOne<Terms>, false, true, Terms>;
-    return nearest_first ? &advance<OneByOne<Terms>, true, false, Terms>
-                         : &advance<OneByOne<Terms>, false, false, Terms>;
+    if (watched) return nearest_first ? &advance<Terms, true, true> : &advance<Terms, false, true>;
+    return nearest_first ? &advance<Terms, true, false> : &advance<Terms, false, false>;
   }
 }
 

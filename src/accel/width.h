@@ -8,10 +8,12 @@
 
 namespace raywalk {
 
-/// Floats in a vector register: SSE2, NEON, WebAssembly's SIMD or what the compiler makes of four; AVX2.
-enum class LaneWidth { four, eight };
+/// Floats in a vector register: SSE2, NEON, WebAssembly's SIMD or what the compiler makes of four; AVX2; AVX-512, of
+/// which as many lanes are used.
+enum class LaneWidth { four, eight, eight_masked };
 template <>
-inline constexpr Word<LaneWidth> words_of<LaneWidth>[] = {{LaneWidth::four, "4"}, {LaneWidth::eight, "8"}};
+inline constexpr Word<LaneWidth> words_of<LaneWidth>[] = {
+    {LaneWidth::four, "4"}, {LaneWidth::eight, "8"}, {LaneWidth::eight_masked, "8 masked"}};
 
 /// The widths that this processor has, narrowest first; asked once.
 [[nodiscard]] const std::vector<LaneWidth>& lane_widths();

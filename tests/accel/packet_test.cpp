@@ -194,6 +194,60 @@ TEST_CASE("a packet's test lets pass each box that a ray's own test lets pass, a
   CHECK(met > rounds(4000));
 }
 
+TEST_CASE("a packet's rays rule out the triangles that each of them rules out alone", "[accel]") {
+  Numbers next(7);
+  int differing = 0, candidates = 0, ruled_out = 0;
+  for (int round = 0; round < rounds(3000); ++round) {
+    const double size = std::ldexp(1.0, next.integer(-30, 30)), spread = std::pow(10.0, -next.integer(1, 4));
+    const Vec3d eye = size * next.unit<double>(), target = 0.3 * size * next.in_box<double>();
+    std::vector<MeshRay> rays;
+    std::vector<Vec3d> ends;
+    const auto count = static_cast<std::size_t>(next.integer(1, 16));
+    for (int tries = 0; tries < 99 && rays.size() < count; ++tries) {
+      // Some from much farther away, whose origins are rounded more.
+      const Vec3d end = target + size * spread * next.in_box<double>();
+      const Vec3d from = end + (next.integer(0, 2) == 0 ? 50.0 : 1.0) * (eye - end);
+      const Ray<double> ray{from, end - from};
+      const MeshRay lanes(ray, ShearedRay<double>(ray));
+      if (!rays.empty() && !RayPacket::coherent(rays[0], lanes, infinity<float>)) continue;
+      rays.push_back(lanes), ends.push_back(end);
+    }
+    if (!rays[0].held) continue;
+    RayPacket packet(rays);
+    for (unsigned i = 0; i < rays.size(); ++i)
+      packet.t_far[i] = next.integer(0, 1) == 0 ? static_cast<float>(next.real(0, 2)) : infinity<float>;
+    TrianglePack pack{};
+    const auto triangles = static_cast<unsigned>(next.integer(1, 8));
+    for (unsigned lane = 0; lane < tree_width; ++lane) {
+      // Small ones near where rays go, slivers, and some of which a ray nearly meets a corner.
+      const double wide_by = size * std::pow(10.0, -next.integer(0, 5));
+      const Vec3d& end = ends[static_cast<std::size_t>(next.integer(0, static_cast<int>(ends.size()) - 1))];
+      for (int corner = 0; corner < 3; ++corner) {
+        const bool narrow = corner == 2 && lane % 3 == 0, aimed = corner == 0 && lane % 2 == 0;
+        const Vec3d place = end + (aimed ? 3e-6 * size : narrow ? 1e-6 * wide_by : wide_by) * next.in_box<double>();
+        for (int axis = 0; axis < 3; ++axis) pack.corners[corner][axis][lane] = static_cast<float>(place[axis]);
+      }
+    }
+    const auto asked = static_cast<unsigned>(next.integer(1, 0xffff)) & packet.all();
+    std::vector<unsigned> alone(rays.size(), 0);
+    for (unsigned i = 0; i < rays.size(); ++i) {
+      unsigned certain = 0;
+      alone[i] = four::sift<false>(rays[i], four::reach_of(rays[i], packet.t_far[i]), pack, triangles, certain);
+    }
+    for (unsigned lane = 0; lane < triangles; ++lane) {
+      const unsigned together = four::rays_that_may_hit(packet, pack, lane, asked);
+      for (unsigned i = 0; i < rays.size(); ++i) {
+        const bool may_hit = (asked >> i & 1) != 0 && (alone[i] >> lane & 1) != 0;
+        differing += may_hit != ((together >> i & 1) != 0);
+        candidates += may_hit, ruled_out += !may_hit;
+      }
+    }
+  }
+  CHECK(differing == 0);
+  CHECK(candidates > rounds(3000));
+  CHECK(ruled_out > rounds(3000));
+}
+
 TEST_CASE("coherent rays that are searched together meet about the nodes that they meet alone", "[accel]") {
   Primitives<float> all;
   all.add(icosphere(4), {}, false);
