@@ -61,6 +61,8 @@ void Accelerator<T>::search_batch(std::span<const Ray<T>> rays, std::span<const 
   std::array<std::optional<Query>, RayPacket::most> queries;
   for (std::size_t first = 0; first < rays.size(); first += queries.size()) {
     const std::size_t count = std::min(queries.size(), rays.size() - first);
+    for (const Ray<T>& later : rays.subspan(first + count, std::min(queries.size(), rays.size() - first - count)))
+      __builtin_prefetch(&later);
     for (std::size_t i = 0; i < count; ++i) {
       queries[i].emplace(primitives_, rays[first + i], t_max[first + i], counts, accept...);
       if (tree == nullptr) {

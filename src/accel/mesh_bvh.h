@@ -95,7 +95,7 @@ class MeshBvh {
     if constexpr (Watching<Query>) record = &query.record();
     WideSearch<Terms> search(tree_, terms, Query::shortens, record);
     while (search.next(query.t_far()))
-      if (test_leaf<Terms>(search.found(), primitives, query)) break;
+      if (test_leaf<Terms>(search.found(), primitives, query, tree_.packs_are_exact())) break;
     query.count(search.nodes(), search.passed_over());
   }
 
@@ -111,7 +111,7 @@ class MeshBvh {
       for (unsigned bits = search.rays(); bits != 0; bits &= bits - 1) {
         const auto ray = static_cast<unsigned>(std::countr_zero(bits));
         Query& query = *queries[ray];
-        if (test_leaf<MeshRay>(search.found(ray), primitives, query))
+        if (test_leaf<MeshRay>(search.found(ray), primitives, query, tree_.packs_are_exact()))
           search.finish(ray);
         else if constexpr (Query::shortens)
           search.set_far(ray, query.t_far());
@@ -119,9 +119,10 @@ class MeshBvh {
     queries[0]->count(search.nodes(), search.passed_over());
   }
 
-  /// Tests what the search has found; true when it is over.
+  /// Tests what the search has found; true when it is over. `exact`: WideTree::packs_are_exact.
   template <class Terms, class Query>
-  [[gnu::flatten]] static bool test_leaf(const FoundLeaf& leaf, const Primitives<T>& primitives, Query& query) {
+  [[gnu::flatten]] static bool test_leaf(const FoundLeaf& leaf, const Primitives<T>& primitives, Query& query,
+                                         bool exact) {
     const unsigned ruled_out = leaf.ruled_out;
     if constexpr (Watching<Query>) {
       for (unsigned bits = leaf.candidates | ruled_out; bits != 0; bits &= bits - 1) {
@@ -134,7 +135,7 @@ class MeshBvh {
     } else {
       for (unsigned bits = leaf.candidates; bits != 0; bits &= bits - 1) {
         const int lane = std::countr_zero(bits);
-        if (!test_lane<Terms>(leaf, static_cast<std::size_t>(lane), primitives, query)) continue;
+        if (!test_lane<Terms>(leaf, static_cast<std::size_t>(lane), primitives, query, exact)) continue;
         query.count(0, bit_counts[ruled_out & ((1U << lane) - 1)]);
         return true;
       }
@@ -144,23 +145,38 @@ class MeshBvh {
   }
 
   template <class Terms, class Query>
-  static bool test_lane(const FoundLeaf& leaf, std::size_t lane, const Primitives<T>& primitives, Query& query) {
+  static bool test_lane(const FoundLeaf& leaf, std::size_t lane, const Primitives<T>& primitives, Query& query,
+                        [[maybe_unused]] bool exact) {
     const int id = leaf.ids[lane];
     const TrianglePack* pack = leaf.pack;
     if constexpr (std::is_same_v<Terms, MeshRay>) {  // naive rays test triangles by other means
       if (pack == nullptr || std::isnan(pack->corners[0][0][lane])) return query.test(primitives, id);
       if constexpr (!Query::shortens)
         if ((leaf.certain >> lane & 1) != 0 && query.take(primitives, id)) return true;
-      // Packs hold triangles as they are, where these are in float.
       if constexpr (std::is_same_v<T, float>) {
         return query.test(primitives, id, [=](int corner, int axis) { return pack->corners[corner][axis][lane]; });
       } else {
-        const auto at = primitives.triangles().coordinates(id - primitives.shape_count());
+        const Corners at = exact ? corners_in(*pack, lane) : corners_of(primitives, id);
         return query.test(primitives, id,
-                          [&](int corner, int axis) { return at[static_cast<std::size_t>(corner)][axis]; });
+                          [&](int corner, int axis) { return at[static_cast<std::size_t>(3 * corner + axis)]; });
       }
     }
     return query.test(primitives, id);
+  }
+
+  /// The coordinates of a triangle's corners, three each: as its pack has them, where it is exact, whose memory the
+  /// search has just read; or as the mesh has them.
+  using Corners = std::array<T, 9>;
+  static Corners corners_in(const TrianglePack& pack, std::size_t lane) {
+    Corners all;
+    for (std::size_t corner = 0; corner < 3; ++corner)
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        all[3 * corner + axis] = static_cast<T>(pack.corners[corner][axis][lane]);
+    return all;
+  }
+  static Corners corners_of(const Primitives<T>& primitives, int id) {
+    const Triangle<T> at = primitives.triangles()[id - primitives.shape_count()];
+    return {at.a.x, at.a.y, at.a.z, at.b.x, at.b.y, at.b.z, at.c.x, at.c.y, at.c.z};
   }
 
   /// By eight bits: not every processor has an instruction for it.

@@ -68,12 +68,6 @@ class Triangles {
     return {position(c[0]), position(c[1]), position(c[2])};
   }
 
-  /// The coordinates of the corners of one that is not of a copy, three each.
-  [[nodiscard]] std::array<const T*, 3> coordinates(int i) const {
-    const Mesh::Corners& c = corners(i);
-    return {&position(c[0]).x, &position(c[1]).x, &position(c[2]).x};
-  }
-
   /// Whether one has an area of exactly 0, and so no normal: it is not hit.
   [[nodiscard]] static bool degenerate(const Triangle<T>& triangle) {
     return cross(triangle.b - triangle.a, triangle.c - triangle.a) == Vec3<T>(0) && normal_of(triangle) == Vec3<T>(0);
@@ -111,6 +105,8 @@ class Triangles {
   using AtCorners = std::array<Value, 3>;
 
   [[nodiscard]] const Mesh::Corners& corners(int i) const { return corners_[static_cast<std::size_t>(i)]; }
+  /// The largest coordinate, without its sign.
+  static T largest_of(const Vec3<T>& at) { return std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)}); }
   [[nodiscard]] const Vec3<T>& position(std::int32_t vertex) const {
     return positions_[static_cast<std::size_t>(vertex)];
   }
@@ -156,6 +152,7 @@ class Triangles {
   std::vector<Vec2<T>> uv_;            ///< by vertex; empty when no mesh has any
   std::vector<std::uint8_t> has_uv_;   ///< by vertex, with uv_
   std::vector<MeshCopy> copies_;
+  T largest_ = 0;  ///< at least `largest_of` each corner
   int own_size_ = 0, size_ = 0;
 };
 
@@ -163,7 +160,8 @@ template <class T>
 void Triangles<T>::add(const Mesh& mesh, const Affine<double>& to_world, bool smooth) {
   const auto first = static_cast<std::int32_t>(positions_.size());
   make_room(positions_, mesh.positions.size());
-  for (const Vec3d& at : mesh.positions) positions_.emplace_back(to_world.point(at));
+  for (const Vec3d& at : mesh.positions)
+    largest_ = std::max(largest_, largest_of(positions_.emplace_back(to_world.point(at))));
   make_room(corners_, mesh.triangles.size());
   const bool mirrored = to_world.determinant() < 0;  // keeps the outside outside
   for (const auto& [a, b, c] : mesh.triangles)
@@ -187,6 +185,7 @@ template <class T>
 void Triangles<T>::add_copy(std::shared_ptr<const Mesh> mesh, const Affine<double>& to_world, bool smooth) {
   copies_.push_back({std::move(mesh), to_world, smooth, to_world.determinant() < 0, size_});
   size_ += static_cast<int>(copies_.back().mesh->triangles.size());
+  largest_ = std::numeric_limits<T>::infinity();
 }
 
 template <class T>
@@ -272,11 +271,12 @@ Vec2<T> Triangles<T>::uv_derivative(int i, const SurfacePoint<T>& point, const V
 
 template <class T>
 bool Triangles<T>::leaves_by_edge(int from, int to, const Ray<T>& ray, T t) const {
-  const Triangle<T> met = (*this)[to];
-  const auto size = [](const Vec3<T>& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
   constexpr T rounding = 32 * std::numeric_limits<T>::epsilon();
-  if (!(t * size(ray.direction) <= rounding * std::max({size(met.a), size(met.b), size(met.c), size(ray.origin)})))
-    return false;
+  const T way = t * largest_of(ray.direction), start = largest_of(ray.origin);
+  // Told from the size of all, before the corners are fetched.
+  if (way > rounding * std::max(largest_, start)) return false;
+  const Triangle<T> met = (*this)[to];
+  if (!(way <= rounding * std::max({largest_of(met.a), largest_of(met.b), largest_of(met.c), start}))) return false;
   const Triangle<T> left = (*this)[from];
   const auto shared = [&](const Vec3<T>& p) { return p == left.a || p == left.b || p == left.c; };
   if (!shared(met.a) && !shared(met.b) && !shared(met.c)) return false;

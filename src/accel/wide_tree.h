@@ -88,6 +88,8 @@ class WideTree {
   [[nodiscard]] const WideNode* nodes() const { return nodes_.data(); }
   [[nodiscard]] const TrianglePack& pack(std::uint32_t index) const { return packs_[index]; }
   [[nodiscard]] const std::int32_t* listed(std::uint32_t first) const { return &ids_[first]; }
+  /// Whether the packs' corners are those of the triangles, unrounded, as of a mesh whose file is in float.
+  [[nodiscard]] bool packs_are_exact() const { return packs_are_exact_; }
   /// Asks the memory for what will soon be wanted of a child.
   [[gnu::always_inline]] void fetch(TreeChild child) const {
     if (child.is_pack())
@@ -125,6 +127,7 @@ class WideTree {
   LargeArray<WideNode> nodes_;
   LargeArray<TrianglePack> packs_;
   std::vector<std::int32_t> ids_;  ///< of leaves without triangles
+  bool packs_are_exact_ = true;
   std::size_t items_ = 0;
   int depth_ = 0;
   double expected_cost_ = 0;
@@ -134,10 +137,14 @@ template <class Corners>
 void WideTree::fill_packs(const Stop& stop, const Corners& corners) {
   stop.each(packs_.begin(), packs_.end(), [&](TrianglePack& pack) {
     for (std::size_t lane = 0; lane < tree_width; ++lane) {
-      constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-      const auto at = corners(pack.ids[lane]).value_or(std::array{Vec3d(nan), Vec3d(nan), Vec3d(nan)});
+      const std::optional<std::array<Vec3d, 3>> at = corners(pack.ids[lane]);
       for (std::size_t corner = 0; corner < 3; ++corner)
-        for (int axis = 0; axis < 3; ++axis) pack.corners[corner][axis][lane] = static_cast<float>(at[corner][axis]);
+        for (int axis = 0; axis < 3; ++axis) {
+          const double exact = at ? (*at)[corner][axis] : std::numeric_limits<double>::quiet_NaN();
+          const auto rounded = static_cast<float>(exact);
+          pack.corners[corner][axis][lane] = rounded;
+          if (at && static_cast<double>(rounded) != exact) packs_are_exact_ = false;
+        }
     }
   });
 }

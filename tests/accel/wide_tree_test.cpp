@@ -264,3 +264,20 @@ TEST_CASE("a tree's child knows what it is", "[accel]") {
   CHECK((list.is_leaf() && !list.is_pack()));
   CHECK((list.index() == 7 && list.count() == 1));
 }
+
+TEST_CASE("packs know whether they hold the corners of all triangles unrounded", "[accel]") {
+  std::vector<TreeItem> items;
+  for (int id = 0; id < 20; ++id) {
+    const auto at = static_cast<float>(id);
+    items.push_back({{{at, 0, 0}, {at + 1, 1, 1}}, id, 1});
+  }
+  const int between = GENERATE(-1, 0, 13, 19), nothing = GENERATE(-1, 5);
+  WideTree tree(items);
+  tree.fill_packs({}, [&](std::int32_t id) -> std::optional<std::array<Vec3d, 3>> {
+    if (id == nothing) return std::nullopt;
+    const double at = id == between ? id + 0x1p-30 : id;
+    return std::array{Vec3d(at, 0, 0), Vec3d(at, 1, 0.5), Vec3d(id + 0.25, -0.0, 1)};
+  });
+  // The first triangle lies where floats are dense enough.
+  CHECK(tree.packs_are_exact() == (between <= 0));
+}
