@@ -207,7 +207,7 @@ int bar_pane(const Ui& ui, const Rect& where, int open_menu) {
   // Large letters in a small window leave less space between menus.
   const float apart = where.width < ui.px(800) ? ui.px(7) : ui.px(14);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {apart, ui.px(8)});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(10)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ui.padding(10, 10));
   for (std::size_t i = 0; i < menus.size(); ++i)
     if (show_menu(ui, menus[i], open_menu == static_cast<int>(i))) is_open = static_cast<int>(i);
   ImGui::PopStyleVar(2);

@@ -25,7 +25,7 @@ void question_dialog(const Ui& ui) {
   const float width = std::min(ui.px(520), whole.x);
   ImGui::SetNextWindowPos({whole.x / 2, whole.y * 0.45f}, 0, {0.5f, 0.5f});
   ImGui::SetNextWindowSize({width, 0});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(24), ui.px(22)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ui.padding(24, 22));
   if (!ImGui::IsPopupOpen("###question")) ImGui::OpenPopup("###question");
   const bool open = ImGui::BeginPopupModal("###question", nullptr,
                                            ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
@@ -122,7 +122,7 @@ void notice_bar(const Ui& ui, const Rect& plan, const Rect& strip) {
   ui.publish("notice", where);
   ImGui::SetNextWindowPos(corner(where));
   ImGui::SetNextWindowSize(size(where));
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(16), ui.px(10)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ui.padding(16, 10));
   ImGui::PushStyleColor(ImGuiCol_Border,
                         to_imgui4(error ? ui.colours.error : Shades(ui.state.appearance.theme).raised_held));
   ImGui::PushStyleColor(ImGuiCol_WindowBg, to_imgui4(ui.colours.panel));

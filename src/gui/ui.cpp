@@ -40,7 +40,7 @@ ScrolledList::ScrolledList(const Ui& ui, const char* name, float height, float p
 }
 
 FormPopup::FormPopup(const Ui& ui, const char* name) {
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(14), ui.px(12)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ui.padding(14, 12));
   open_ = ImGui::BeginPopup(name);
   ImGui::PopStyleVar();
   if (!open_) return;

@@ -9,6 +9,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <string>
@@ -100,6 +101,9 @@ struct Ui {
   void act(Action action) const;
   void wish(WindowWish what) const { wishes.push_back(what); }
   [[nodiscard]] float px(float units) const { return units * unit; }
+  /// The padding of a window that is as large as its contents: whole, for ImGui drops what its size has beyond whole
+  /// units, and a window that lacks that part scrolls.
+  [[nodiscard]] ImVec2 padding(float x, float y) const { return {std::round(px(x)), std::round(px(y))}; }
   /// Notes the rectangle of ImGui's last item.
   void publish(std::string_view name) const;
   void publish(std::string_view name, const Rect& where) const;

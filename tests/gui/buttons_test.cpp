@@ -1,5 +1,7 @@
 // Every button, menu entry and key asks for what it says.
 
+#include <imgui_internal.h>
+
 #include <set>
 
 #include "gui/bench.h"
@@ -156,6 +158,24 @@ TEST_CASE("arrows go from one open menu to its neighbours") {
   CHECK(bench.has("menu/open"));
   arrow("Right", ImGuiKey_RightArrow);
   CHECK(bench.has("menu/undo"));
+}
+
+TEST_CASE("a menu that fits below its bar does not scroll, at any scale") {
+  for (const float unit : {0.90625f, 0.96875f, 1.0f, 1.25f}) {
+    Bench bench(at(0, Mode::move), 400 * unit, 844);
+    bench.unit = bench.dpi = unit;
+    for (int menu = 0; menu < menu_count; ++menu) {
+      bench.key("F10");
+      int open = 0;
+      for (const ImGuiWindow* each : ImGui::GetCurrentContext()->Windows) {
+        if (!each->Active || (each->Flags & ImGuiWindowFlags_Popup) == 0) continue;
+        CAPTURE(unit, menu, each->Size.x, each->Size.y);
+        CHECK_FALSE(each->ScrollbarY);
+        ++open;
+      }
+      CHECK(open == 1);
+    }
+  }
 }
 
 TEST_CASE("a recent file is opened from its menu") {
