@@ -411,7 +411,8 @@ class Loop::Parts {
   // Fonts and spacing for the current scale and theme.
   void rescale() {
     const float now = unit(), density = window_.density();
-    state_.appearance.is_fitted = shrink() < 1;
+    if (const bool fitted = shrink() < 1; fitted != state_.appearance.is_fitted)
+      update(state_, action::SetFitted{fitted});
     if (now != styled_unit_ || state_.appearance.theme != styled_theme_)
       set_style(ImGui::GetStyle(), state_.appearance.theme, now);
     // Small buttons reach a little beyond their edges for a finger, and not into their neighbours.

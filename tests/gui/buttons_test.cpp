@@ -205,6 +205,15 @@ TEST_CASE("what cannot be asked for is shown so and asks for nothing") {
   }
 }
 
+TEST_CASE("what is drawn smaller already is not made larger") {
+  State state = classic();
+  CHECK(enabled(command("scale-up"), state));
+  update(state, action::SetFitted{true});
+  CHECK_FALSE(enabled(command("scale-up"), state));
+  update(state, action::SetFitted{false});
+  CHECK(enabled(command("scale-up"), state));
+}
+
 TEST_CASE("every command has a name, a label and a hint of its own") {
   const State state = classic();
   std::set<std::string> names, hints;

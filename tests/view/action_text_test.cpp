@@ -146,6 +146,7 @@ TEST_CASE("a line that was written reads back as the same action") {
       {KeepInk{true}, "ink-keep on"},
       {SetEnglishCode{true}, "english-code on"},
       {SetTouch{true}, "touch on"},
+      {SetFitted{true}, "fitted on"},
       {CopyLink{}, "copy-link"},
       {ShowLink{true}, "show-link on"},
       {SetLinkPage{"https://a.example/"}, "link-page https://a.example/"},

@@ -382,3 +382,21 @@ TEST_CASE("a finger takes a handle within 22 pixels, and a body where its middle
   CHECK(under(middle + 0.4 * (at - middle)) == Target{TargetKind::object, 0});
   CHECK(under(middle) == Target{TargetKind::object, 0});
 }
+
+TEST_CASE("that everything is drawn smaller is told by the window, also during a drag and beside a question") {
+  State state = busy_state();
+  const Vec2d at = pixels_of(state, {TargetKind::object, 0});
+  update(state, action::PointerMoved{at, {}});
+  update(state, action::PointerPressed{at, action::Button::left, {}});
+  update(state, action::SetFitted{true});
+  CHECK(state.appearance.is_fitted);
+  update(state, action::PointerMoved{at + Vec2d(30, 0), {}});
+  update(state, action::PointerReleased{at + Vec2d(30, 0), {}});
+  CHECK(length(pixels_of(state, {TargetKind::object, 0}) - at) > 20);
+  make_dirty(state);
+  update(state, action::New{});
+  REQUIRE(state.document.question);
+  update(state, action::SetFitted{false});
+  CHECK_FALSE(state.appearance.is_fitted);
+  CHECK(state.document.question);
+}

@@ -64,6 +64,14 @@ struct SetTouch {
   static constexpr Traits traits{.keeps_drag = true, .always = true};
   void apply(auto& state) const { state.appearance.touch = on; }
 };
+/// The window has no room for the scale: everything is drawn smaller.
+struct SetFitted {
+  static constexpr std::string_view word = "fitted";
+  bool on;
+  static void fields(auto& f, auto& a) { f(a.on, on_or_off); }
+  static constexpr Traits traits{.keeps_drag = true, .keeps_tween = true, .always = true};
+  void apply(auto& state) const { state.appearance.is_fitted = on; }
+};
 struct SetTab {
   static constexpr std::string_view word = "tab";
   Tab tab;
@@ -100,7 +108,7 @@ namespace raywalk {
 struct AppearanceRoom {
   using Actions =
       Types<action::SetTheme, action::SetLanguage, action::SetEnglishCode, action::SetUiScale, action::SetTouch,
-            action::SetTab, action::ShowFront, action::DividePanes, action::DismissNotice>;
+            action::SetFitted, action::SetTab, action::ShowFront, action::DividePanes, action::DismissNotice>;
   static Commands commands();
 
   Theme theme = Theme::dark;
