@@ -2,7 +2,6 @@
 
 #include "view/walk/asked.h"
 
-#include <algorithm>
 #include <filesystem>
 
 namespace raywalk {
@@ -28,10 +27,8 @@ std::optional<Awaited> awaited_by(const State& state, const Action& action) {
   };
   std::string path;
   if (const auto* lesson = action.as<action::OpenLesson>()) {
-    const auto& list = state.lessons.list;
-    const auto entry =
-        std::find_if(list.begin(), list.end(), [&](const LessonEntry& each) { return each.name == lesson->name; });
-    return read(entry == list.end() ? lesson->name : entry->title(language));
+    const LessonEntry* entry = state.lessons.entry(lesson->name);
+    return read(entry == nullptr ? lesson->name : entry->title(language));
   }
   if (const auto* open = action.as<action::Open>()) path = open->path;
   if (action.is<action::AnswerQuestion>() && state.document.question) path = state.document.question->path;

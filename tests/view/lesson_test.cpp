@@ -71,6 +71,13 @@ TEST_CASE("a locked lesson opens when the one before is done, or when a teacher 
   CHECK_FALSE(lesson_panel(state).rows[12].locked);
 }
 
+TEST_CASE("a lesson of the list is found by its name, and no other is") {
+  const State state = with_lessons();
+  for (const LessonEntry& each : state.lessons.list) CHECK(state.lessons.entry(each.name) == &each);
+  CHECK(state.lessons.entry("") == nullptr);
+  CHECK(state.lessons.entry("no such lesson") == nullptr);
+}
+
 TEST_CASE("the list marks the lesson to go on with: the open one, or what comes after the one just finished") {
   State state = with_lessons();
   update(state, action::SetLessonOptions{false, true});

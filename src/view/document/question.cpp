@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 
 namespace raywalk {
@@ -16,10 +15,9 @@ std::string said(const State& state, std::string_view id) { return std::string(t
 
 /// A lesson as in the list: "5 Refraction and total reflection". A path as it is.
 std::string lesson_title(const State& state, const std::string& name) {
-  const std::vector<LessonEntry>& list = state.lessons.list;
-  const auto entry = std::find_if(list.begin(), list.end(), [&](const LessonEntry& each) { return each.name == name; });
-  if (entry == list.end()) return name;
-  return fmt::format("{} {}", entry - list.begin() + 1, entry->title(state.appearance.language));
+  const LessonEntry* entry = state.lessons.entry(name);
+  if (entry == nullptr) return name;
+  return fmt::format("{} {}", entry - state.lessons.list.data() + 1, entry->title(state.appearance.language));
 }
 
 /// When an autosave was written, in the language of the window.

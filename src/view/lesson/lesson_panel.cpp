@@ -162,9 +162,8 @@ std::string score_of(const LessonRoom& sitting, Language language) {
   if (judged == 0) return {};
   const std::string score =
       fmt::format("{} {} {} {}", right, text("lesson.of", language), judged, text("lesson.score", language));
-  const auto entry = std::find_if(sitting.list.begin(), sitting.list.end(),
-                                  [&](const LessonEntry& each) { return each.name == sitting.last; });
-  return sitting.at() != nullptr || entry == sitting.list.end() ? score : entry->title(language) + ": " + score;
+  const LessonEntry* entry = sitting.entry(sitting.last);
+  return sitting.at() != nullptr || entry == nullptr ? score : entry->title(language) + ": " + score;
 }
 
 }  // namespace

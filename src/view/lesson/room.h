@@ -14,6 +14,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -197,6 +198,13 @@ struct LessonRoom {
   std::array<bool, 2> exchanged{};  ///< what this step enlarges and the plan, by hand; in Move and in Trace
   std::map<std::string, int, std::less<>> done;     ///< finished steps of each lesson
   std::map<std::string, int, std::less<>> left_at;  ///< the step at which each was left, if not at its end
+
+  /// The lesson of the list that has this name; null if there is none.
+  [[nodiscard]] const LessonEntry* entry(std::string_view name) const {
+    const auto found =
+        std::find_if(list.begin(), list.end(), [&](const LessonEntry& each) { return each.name == name; });
+    return found == list.end() ? nullptr : &*found;
+  }
 
   /// First predictions of all lessons, and the right ones of them.
   [[nodiscard]] int judged() const { return sum(&FirstTries::judged); }

@@ -189,8 +189,7 @@ Result<std::string> open_scene_of(State& state, const Link& link) {
   std::string name;
   if (!link.lesson.empty()) {
     action::ShowLessons{true}.apply(state);
-    const auto is_it = [&](const LessonEntry& each) { return each.name == link.lesson; };
-    if (std::none_of(state.lessons.list.begin(), state.lessons.list.end(), is_it)) return no_lesson();
+    if (state.lessons.entry(link.lesson) == nullptr) return no_lesson();
     if (!open_lesson(state, link.lesson, link.lesson_step - 1)) return no_lesson();
     const PlayedStep* at = state.lessons.at();
     sum = scene_sum(at->walk->document.scene);
