@@ -65,13 +65,16 @@ void show_of_hands(const Ui& ui, const LessonPanel& panel, std::size_t i, const 
                        to_imgui(Shades(ui.state.appearance.theme).accent_hovered), thick / 2);
 }
 
-void choices(const Ui& ui, const LessonPanel& panel) {
+// Returns where the one that is guessed begins, in the pane's content.
+std::optional<float> choices(const Ui& ui, const LessonPanel& panel) {
   const Shades shades(ui.state.appearance.theme);
   const bool revealed = ui.state.lessons.revealed;
   const bool counts = ui.state.lessons.presenter && (!revealed || !panel.hands.empty());
   const float hands = counts ? 2 * button_height(ui) + ui.px(30) : 0;
+  std::optional<float> guessed;
   for (std::size_t i = 0; i < panel.choices.size(); ++i) {
     const LessonChoice& choice = panel.choices[i];
+    if (choice.guessed) guessed = ImGui::GetCursorPosY();
     const bool filled = choice.guessed;
     // The right choice has a sign, not only a colour.
     const std::string sign = !revealed ? "" : choice.right ? "\u2713 " : choice.guessed ? "\u2717 " : "";
@@ -85,6 +88,7 @@ void choices(const Ui& ui, const LessonPanel& panel) {
     show_of_hands(ui, panel, i, {least.x, least.y, most.x - least.x, most.y - least.y}, hands);
     ImGui::SetCursorScreenPos(next);
   }
+  return guessed;
 }
 
 // How lessons are shown: to a student, or by a presenter, who may hide or export the notes.
@@ -143,19 +147,25 @@ void head(const Ui& ui, const LessonPanel& panel, const Rect& where, bool open) 
 }
 
 /// Scrolls so that what stands from `begin` to `end` is whole, else its beginning; `before`: with so much above it
-/// where there is room for that. Heights in the pane's content.
-void scroll_to(float begin, float end, float before, float margin) {
+/// where there is room for that; `from`: rather with what begins there than with its end. Heights in the pane's
+/// content.
+void scroll_to(float begin, float end, float before, float margin, float from) {
   const float room = ImGui::GetWindowHeight();
-  ImGui::SetScrollY(std::min(begin - margin, std::max(begin - before, end + margin - room)));
+  ImGui::SetScrollY(std::min(std::min(begin, from) - margin, std::max(begin - before, end + margin - room)));
 }
 
-// Returns where what has to be read ends: with the change to make, if both are lower than `room`.
-float answer(const Ui& ui, const LessonPanel& panel, float room) {
+struct AnswerEnds {
+  float verdict = 0;  ///< of whether it is right
+  float all = 0;      ///< of what has to be read: with the change to make, if both are lower than the room for them
+};
+
+AnswerEnds answer(const Ui& ui, const LessonPanel& panel, float room) {
   const float begin = ImGui::GetCursorPosY();
   if (!panel.verdict.empty())
     heading(ui, panel.is_right ? Shades(ui.state.appearance.theme).accent : ui.colours.error,
             (panel.is_right ? "\u2713 " : "\u2717 ") + panel.verdict);
   ui.publish("lesson-verdict");
+  AnswerEnds ends{ImGui::GetCursorPosY()};
   if (!panel.hands.empty()) heading(ui, ui.colours.text, panel.hands);
   if (!panel.verdict.empty() || !panel.unanswered.empty()) {
     push_font(ui.fonts.small);
@@ -163,11 +173,12 @@ float answer(const Ui& ui, const LessonPanel& panel, float room) {
     pop_font();
   }
   if (!panel.reveal.empty()) prose(ui, ui.colours.text, panel.reveal);
-  const float end = ImGui::GetCursorPosY();
-  if (panel.change.empty()) return end;
+  ends.all = ImGui::GetCursorPosY();
+  if (panel.change.empty()) return ends;
   heading(ui, ui.colours.text, ui.say("lesson.change"));
   prose(ui, ui.colours.text, panel.change);
-  return ImGui::GetCursorPosY() - begin < room ? ImGui::GetCursorPosY() : end;
+  if (ImGui::GetCursorPosY() - begin < room) ends.all = ImGui::GetCursorPosY();
+  return ends;
 }
 
 void notes(const Ui& ui, const LessonPanel& panel) {
@@ -253,12 +264,12 @@ void LessonPane::number(const Ui& ui, const LessonPanel& panel, bool is_new, boo
     paragraph(ui.colours.error, ui.say("lesson.not_a_number"));
 }
 
-void LessonPane::question(const Ui& ui, const LessonPanel& panel, bool is_new, bool is_low) {
+std::optional<float> LessonPane::question(const Ui& ui, const LessonPanel& panel, bool is_new, bool is_low) {
   const LessonRoom& sitting = ui.state.lessons;
   const ImVec2 wide{ImGui::GetContentRegionAvail().x, button_height(ui)};
   heading(ui, Shades(ui.state.appearance.theme).accent, ui.say("lesson.predict"));
   prose(ui, ui.colours.text, panel.question);
-  choices(ui, panel);
+  std::optional<float> guessed = choices(ui, panel);
   if (!sitting.revealed) {
     push_font(ui.fonts.small);
     if (panel.asks == Asks::choice && sitting.presenter) paragraph(ui.colours.dim_text, ui.say("lesson.hands_hint"));
@@ -274,7 +285,11 @@ void LessonPane::question(const Ui& ui, const LessonPanel& panel, bool is_new, b
     ui.act(action::GoToLessonStep{panel.step - 1});
   // Nothing was typed, and nothing can be any more: an empty field would ask for it.
   // In a low pane the keyboard's field would scroll away what is asked.
-  if (panel.asks == Asks::number && panel.unanswered.empty()) number(ui, panel, is_new, !is_low);
+  if (panel.asks == Asks::number && panel.unanswered.empty()) {
+    guessed = ImGui::GetCursorPosY();
+    number(ui, panel, is_new, !is_low);
+  }
+  return guessed;
 }
 
 void LessonPane::draw(const Ui& ui, const Rect& where) {
@@ -310,16 +325,22 @@ void LessonPane::draw(const Ui& ui, const Rect& where) {
       if (!panel.summary.empty() && !alone) prose(ui, ui.colours.dim_text, panel.summary);
       if (!alone || !is_low) prose(ui, ui.colours.text, panel.text);
       const float asked = ImGui::GetCursorPosY(), margin = ui.px(12);  // below the mark
-      if (panel.asks != Asks::nothing) question(ui, panel, is_new, is_low);
+      std::optional<float> guessed;
+      if (panel.asks != Asks::nothing) guessed = question(ui, panel, is_new, is_low);
       // The first hand that goes up wants the choices in sight.
       const int hands = std::accumulate(sitting.hands.begin(), sitting.hands.end(), 0);
-      if (hands > 0 && hands_ == 0 && !sitting.revealed) scroll_to(asked, ImGui::GetCursorPosY(), asked, margin);
+      if (hands > 0 && hands_ == 0 && !sitting.revealed) scroll_to(asked, ImGui::GetCursorPosY(), asked, margin, asked);
       hands_ = hands;
       if (alone && is_new && !is_low && !sitting.revealed) ImGui::SetScrollHereY(1);
-      const float begin = ImGui::GetCursorPosY(), end = answer(ui, panel, room - 2 * margin);
-      // A new answer comes into view, with its context where there is room for both. In a low pane it is at the top,
-      // and nothing of the last choice, which would be cut and so be blank.
-      if (settling_ > 0 && sitting.revealed) scroll_to(begin, end, is_low ? margin : 0.35f * room, margin);
+      const float begin = ImGui::GetCursorPosY();
+      const AnswerEnds ends = answer(ui, panel, room - 2 * margin);
+      // A new answer comes into view, with its context where there is room for both: at least with the guess that it
+      // judges. Else it is at the top of a low pane, and nothing of the last choice, which would be cut and so be
+      // blank.
+      const float more = ImGui::GetTextLineHeightWithSpacing();  // so that its reason is seen to begin
+      const bool both = guessed && ends.verdict + more - *guessed + 2 * margin <= room;
+      if (settling_ > 0 && sitting.revealed)
+        scroll_to(begin, ends.all, is_low ? margin : 0.35f * room, margin, both ? *guessed : begin);
       // Where the question has scrolled away, below what speaks of it.
       if (offers_cure(ui, panel) && is_low) cure(ui, {ImGui::GetContentRegionAvail().x, height});
       if (!alone) notes(ui, panel);

@@ -101,7 +101,8 @@ class LessonPane {
   [[nodiscard]] bool types() const { return types_; }
 
  private:
-  void question(const Ui& ui, const LessonPanel& panel, bool is_new, bool is_low);
+  /// Returns where the guess stands, in the pane's content, if there is one that the pane shows.
+  std::optional<float> question(const Ui& ui, const LessonPanel& panel, bool is_new, bool is_low);
   void number(const Ui& ui, const LessonPanel& panel, bool is_new, bool takes_keys);
 
   std::string number_;     ///< as typed

@@ -235,6 +235,30 @@ TEST_CASE("on a telephone the answer is seen with its reason, and a notice cover
   }
 }
 
+TEST_CASE("a guess stays in sight beside the verdict on it, where both fit") {
+  const FontFiles files = find_fonts(font_folders(""));
+  for (const auto& [width, height] : {std::pair{390.0f, 844.0f}, {844.0f, 390.0f}, {1280.0f, 720.0f}}) {
+    Bench bench(with_lessons(), width, height, files);
+    bench.unit = bench.dpi = shrink_to_fit(width, height, 1, true);
+    update(bench.state, action::ShowFront{Front::lesson});
+    update(bench.state, action::ShowLessons{true});
+    update(bench.state, action::OpenLesson{"01-ray-casting"});
+    for (const int step : {1, 2}) {
+      CAPTURE(width, step);
+      update(bench.state, action::GoToLessonStep{step});
+      bench.frames(4);
+      const int choice = static_cast<int>(lesson_panel(bench.state).choices.size()) - 1;
+      update(bench.state, action::GuessChoice{choice});
+      update(bench.state, action::RevealLesson{});
+      bench.frames(4);
+      const Rect seen = bench.rect("lesson-lines"), verdict = bench.rect("lesson-verdict"),
+                 guess = bench.rect("guess/" + std::to_string(choice + 1));
+      CHECK(guess.y >= seen.y);
+      CHECK(verdict.bottom() < seen.bottom());
+    }
+  }
+}
+
 TEST_CASE("a class's hands are counted beside each choice, and what is out of sight is marked") {
   for (const float unit : {1.0f, 1.25f}) {
     Bench bench(with_lessons());
