@@ -108,11 +108,11 @@ Layout lay_out_wide(const LayoutWishes& wishes) {
   const float side = wishes.focus
                          ? take(width / 8, folded_width * unit)
                          : take(width * 2 / 3, std::max(wishes.code_width, std::min(width * 0.33f, 640 * unit)));
-  // A telephone on its side has no room for a third column.
-  const bool two_columns = !wishes.focus && height < low_window * unit && width < three_columns * unit;
-  const float lesson = wishes.lesson > 0 && !two_columns ? take((width - side) * 0.5f - line, wishes.lesson) : 0.0f;
+  // A telephone on its side has no room for a third column, nor for the tabs below the code.
+  const bool shares = !wishes.focus && height < low_window * unit && width < three_columns * unit;
+  const float lesson = wishes.lesson > 0 && !shares ? take((width - side) * 0.5f - line, wishes.lesson) : 0.0f;
   lay_out_walk(wishes, lesson, top, height, std::max(width - side - line, 0.0f), layout);
-  if (wishes.lesson > 0 && two_columns) {
+  if (shares) {
     lay_out_front(wishes, {width - side, top, side, below}, layout);
     return layout;
   }

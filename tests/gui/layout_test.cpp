@@ -99,8 +99,29 @@ TEST_CASE("on a telephone on its side the lesson, the code and the tabs share a 
     CHECK((front == raywalk::Front::lesson) == !layout.lesson.empty());
     CHECK(layout.plan.width > 300);
   }
-  wishes.lesson = 0;
-  CHECK(raywalk::lay_out(wishes).fronts.empty());
+}
+
+TEST_CASE("on a telephone on its side code and tabs have the whole height of their column, one at a time") {
+  for (const auto& [width, height] : {std::pair{640.0f, 360.0f}, {844.0f, 390.0f}, {896.0f, 414.0f}}) {
+    CAPTURE(width, height);
+    raywalk::LayoutWishes wishes{width, height, 1, 110, 413, 250};
+    wishes.choice = 62;
+    const Layout code = raywalk::lay_out(wishes);
+    CHECK(faults(code, width, height).empty());
+    CHECK(code.tabs.empty());
+    CHECK(code.side.height > 270);
+    wishes.front = raywalk::Front::tabs;
+    const Layout tabs = raywalk::lay_out(wishes);
+    CHECK(faults(tabs, width, height).empty());
+    CHECK(tabs.side.empty());
+    CHECK(tabs.tabs.height > 210);
+    CHECK(tabs.plan == code.plan);
+    CHECK(tabs.fronts == code.fronts);
+    wishes.focus = true;
+    CHECK(raywalk::lay_out(wishes).fronts.empty());
+  }
+  CHECK(raywalk::lay_out({900, 390, 1, 110, 413, 250}).fronts.empty());
+  CHECK(raywalk::lay_out({844, 480, 1, 110, 413, 250}).fronts.empty());
 }
 
 TEST_CASE("at 1280 x 720 every pane has room for what it shows") {
