@@ -213,13 +213,17 @@ int bar_pane(const Ui& ui, const Rect& where, int open_menu) {
   ImGui::PopStyleVar(2);
   float end = ImGui::GetCursorScreenPos().x;
   if (!two_lines) end = bar_buttons(ui, where, end + apart, apart);
-  // The document's name at the right, if there is room.
+  // The document's name at the right, as much of it as there is room for.
   const std::string title = document_title(ui.state);
-  const float width = ImGui::CalcTextSize(title.c_str()).x;
-  const float x = where.right() - width - ui.px(16);
-  if (x > end + ui.px(12)) {
-    ImGui::GetWindowDrawList()->AddText({x, std::round(menu.y + (menu.height - text_height) / 2)},
-                                        to_imgui(ui.colours.dim_text), title.c_str());
+  const float room = where.right() - ui.px(16) - end - ui.px(12);
+  if (const std::string shown = shortened(title, room); room > ui.px(60) && !shown.empty()) {
+    const float width = ImGui::CalcTextSize(shown.c_str()).x;
+    const ImVec2 at{where.right() - ui.px(16) - width, std::round(menu.y + (menu.height - text_height) / 2)};
+    ImGui::GetWindowDrawList()->AddText(at, to_imgui(ui.colours.dim_text), shown.c_str());
+    ImGui::SetCursorScreenPos(at);
+    ImGui::Dummy({width, text_height});
+    ui.publish("document-title");
+    if (shown != title) tooltip(ui, "document-title", title);
   }
   ImGui::EndMenuBar();
   if (two_lines)

@@ -259,6 +259,30 @@ TEST_CASE("a guess stays in sight beside the verdict on it, where both fit") {
   }
 }
 
+TEST_CASE("a long title is shortened in a narrow window, and is told in full where it stands") {
+  const FontFiles files = find_fonts(font_folders(""));
+  for (const auto& [width, height] : {std::pair{390.0f, 844.0f}, {360.0f, 640.0f}}) {
+    Bench bench(with_lessons(), width, height, files);
+    bench.unit = bench.dpi = shrink_to_fit(width, height, 1, true);
+    update(bench.state, action::SetLanguage{"pt"});
+    update(bench.state, action::ShowFront{Front::lesson});
+    update(bench.state, action::ShowLessons{true});
+    update(bench.state, action::SetLessonOptions{false, true});
+    update(bench.state, action::OpenLesson{"13-whitted-to-path-tracing"});
+    bench.frames(3);
+    CAPTURE(width);
+    REQUIRE(bench.has("document-title"));
+    const Rect title = bench.rect("document-title");
+    CHECK(title.width > 50);
+    CHECK(title.right() <= width);
+    CHECK_FALSE(bench.has("tooltip"));
+    bench.point_at("document-title");
+    bench.frames(60);
+    REQUIRE(bench.has("tooltip"));
+    CHECK(bench.rect("tooltip").width > title.width);
+  }
+}
+
 TEST_CASE("a class's hands are counted beside each choice, and what is out of sight is marked") {
   for (const float unit : {1.0f, 1.25f}) {
     Bench bench(with_lessons());
