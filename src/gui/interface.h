@@ -30,6 +30,8 @@ class Interface {
   /// The rectangles of the last frame, by name, in units.
   [[nodiscard]] const std::map<std::string, Rect, std::less<>>& items() const { return items_; }
   [[nodiscard]] const Layout& layout() const { return layout_; }
+  /// Whether what is typed goes into a lesson's field for a number.
+  [[nodiscard]] bool types_number() const { return lesson_.types(); }
   /// Seconds until the next frame is needed without input (for a tooltip); negative: none.
   [[nodiscard]] double next_frame_in() const { return next_frame_in_; }
 

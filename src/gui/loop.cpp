@@ -198,6 +198,7 @@ class Loop::Parts {
     return findings;
   }
 
+  [[nodiscard]] bool types_number() const { return interface_.types_number(); }
   [[nodiscard]] bool holds_at(float x, float y) const {
     return std::any_of(commands().begin(), commands().end(), [&](const Command* each) {
       const auto item = interface_.items().find(each->name);
@@ -537,6 +538,8 @@ Result<void> Loop::act_by_outline(std::string_view does, std::string_view typed)
 }
 
 bool Loop::holds_at(float x, float y) const { return parts_->holds_at(x, y); }
+
+bool Loop::types_number() const { return parts_->types_number(); }
 
 void Loop::draw_again() { parts_->draw_again(); }
 

@@ -41,6 +41,8 @@ class Loop {
   [[nodiscard]] CostFindings costs() const;
   /// Whether a button is there, in units, that repeats while it is held down.
   [[nodiscard]] bool holds_at(float x, float y) const;
+  /// Whether what is typed goes into a lesson's field for a number.
+  [[nodiscard]] bool types_number() const;
   /// After the last turn. Fails where run_gui says.
   [[nodiscard]] Result<void> end();
 

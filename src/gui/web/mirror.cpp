@@ -7,6 +7,7 @@
 
 #include <emscripten/emscripten.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <string>
 
@@ -32,6 +33,13 @@ EMSCRIPTEN_KEEPALIVE const char* page_do(const char* does, const char* typed) {
 
 /// Whether what is typed goes into a field.
 EMSCRIPTEN_KEEPALIVE bool page_types() { return ImGui::GetIO().WantTextInput; }
+
+/// Whether that is a lesson's field for a number.
+EMSCRIPTEN_KEEPALIVE bool page_types_number() { return page_loop().types_number(); }
+
+/// Where the next letter is typed, in CSS pixels: the left and the upper end of its place.
+EMSCRIPTEN_KEEPALIVE double page_typed_x() { return ImGui::GetCurrentContext()->PlatformImePos.x; }
+EMSCRIPTEN_KEEPALIVE double page_typed_y() { return ImGui::GetCurrentContext()->PlatformImePos.y; }
 
 /// An action in the words of demo files.
 EMSCRIPTEN_KEEPALIVE void page_act(const char* line) { page_do(line, ""); }

@@ -454,7 +454,8 @@ new Touch(canvas, {
   settle: () => {
     if (!running) return;
     for (let i = 0; i < 4; ++i) turn();
-    keyboard.show(program._page_types());
+    keyboard.show(program._page_types() && { mode: program._page_types_number() ? 'decimal' : 'text',
+      x: program._page_typed_x(), y: program._page_typed_y() });
   },
 });
 

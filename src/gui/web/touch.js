@@ -111,6 +111,9 @@ class Keyboard {
     this.field = Object.assign(document.createElement('input'), { type: 'text', id: 'keyboard', autocomplete: 'off', tabIndex: -1 });
     this.field.setAttribute('autocapitalize', 'off');
     canvas.after(this.field);
+    // Not every browser does so when its keyboard comes, or grows.
+    window.visualViewport?.addEventListener('resize', () =>
+      document.activeElement === this.field && this.field.scrollIntoView({ block: 'nearest' }));
     this.reset();
     this.settle = settle;
     this.field.addEventListener('input', ({ inputType, isComposing }) => {
@@ -155,9 +158,13 @@ class Keyboard {
   type(text) {
     for (const letter of text) this.send('keypress', { key: letter, charCode: letter.codePointAt(0) });
   }
-  // In the event of a finger: later a browser would not show it.
+  // In the event of a finger: later a browser would not show it. `wanted`: its kind (an inputmode), and where the program's
+  // field is: this one stands there, so that the browser keeps that in sight beside the keyboard; or false.
   show(wanted) {
-    if (wanted) this.field.focus();
-    else if (document.activeElement === this.field) this.canvas.focus();
+    if (wanted) {
+      this.field.inputMode = wanted.mode;
+      Object.assign(this.field.style, { left: `${wanted.x}px`, top: `${wanted.y}px` });
+      this.field.focus();
+    } else if (document.activeElement === this.field) this.canvas.focus();
   }
 }
