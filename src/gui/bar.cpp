@@ -113,9 +113,12 @@ bool show_menu(const Ui& ui, const Menu& menu, bool open) {
   }
   const float line = ImGui::GetTextLineHeight(), entries = static_cast<float>(rows),
               lines = static_cast<float>(menu.parts.size());
-  const float gap = (window - bar - ui.px(24) - entries * line - lines) / (entries + lines);
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
-                      {ui.px(10), std::clamp(gap, ui.px(1), ui.px(ui.state.appearance.touch ? 14 : 6))});
+  float gap = (window - bar - ui.px(24) - entries * line - lines) / (entries + lines);
+  if (!ui.state.appearance.touch)
+    gap = std::clamp(gap, ui.px(1), ui.px(6));
+  else  // what a finger would miss scrolls rather
+    gap = line + gap < ui.px(28) ? ui.px(finger_height) - line : std::min(gap, ui.px(finger_height) - line);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(10), gap});
   bool first = true;
   for (const MenuPart& part : menu.parts) {
     if (part.more == nullptr && commands_in(part.section).empty()) continue;
@@ -128,43 +131,44 @@ bool show_menu(const Ui& ui, const Menu& menu, bool open) {
   return true;
 }
 
-// Of the button for the language, at this height.
-float language_width(float height) { return height * 1.3f; }
+// Of the button for the language.
+float language_width(const Ui& ui) { return ui.px(41); }
 
 // Modes, undo, lessons and language, from `x` on, as far as there is room; returns where they end.
 float bar_buttons(const Ui& ui, const Rect& row, float x, float apart) {
-  const float height = row.height - 2 * ui.px(6), y = row.y + ui.px(6);
+  const float margin = ui.px(ui.finger > 0 ? 1 : 6), height = row.height - 2 * margin, y = row.y + margin;
+  const float edge = std::min(height, ui.px(32));  // the width of what has no words
   const ButtonLook small{.look = Look::flat, .icon = Icon::none, .font = ui.fonts.small};
   const float lessons = button_width(ui, command("lessons"), small);
   // Where there is little room the modes have less beside their words.
-  const float others = apart + 2 * height + ui.px(2) + ui.px(6) + lessons;
+  const float others = apart + 2 * edge + ui.px(2) + ui.px(6) + lessons;
   const float spare = 2 * ui.px(7);  // what a word can lose beside it
   float tight = 0;
   for (const Command* each : commands_in(Section::modes))
     tight += button_width(ui, *each, {.look = Look::choice, .icon = Icon::none, .font = ui.fonts.strong}) - spare;
-  const float room = row.right() - x - others, language = ui.px(10) + language_width(height);
+  const float room = row.right() - x - others, language = ui.px(10) + language_width(ui);
   ImGui::SetCursorScreenPos({x, y});
   choice(ui, commands_in(Section::modes), height, ui.fonts.strong,
          std::max(tight <= room - language ? room - language : room, ui.px(120)));
   const ButtonLook flat{.look = Look::flat, .icon = Icon::undo, .font = nullptr, .label = false};
   ImGui::SetCursorScreenPos({ImGui::GetItemRectMax().x + apart, y});
-  command_button(ui, command("undo"), {height, height}, flat);
+  command_button(ui, command("undo"), {edge, height}, flat);
   ImGui::SetCursorScreenPos({ImGui::GetItemRectMax().x + ui.px(2), y});
   ButtonLook redo = flat;
   redo.icon = Icon::redo;
-  command_button(ui, command("redo"), {height, height}, redo);
-  const auto add = [&](const Command& each, float width, const std::string& label, float gap) {
+  command_button(ui, command("redo"), {edge, height}, redo);
+  const auto add = [&](const Command& each, float width, const ButtonLook& look, const std::string& label, float gap) {
     const float left = ImGui::GetItemRectMax().x + gap;
     if (left + width > row.right() + 0.5f) return;
     ImGui::SetCursorScreenPos({left, y});
-    command_button(ui, each, {width, height}, small, label);
+    command_button(ui, each, {width, height}, look, label);
   };
   // The language also has a menu entry.
-  const float both = ui.px(10) + language_width(height) + ui.px(6) + lessons;
+  const float both = ui.px(10) + language_width(ui) + ui.px(6) + lessons;
   if (ImGui::GetItemRectMax().x + both <= row.right() + 0.5f)
-    add(command("language"), language_width(height), command_label(command("language"), ui.state, true), ui.px(10));
+    add(command("language"), language_width(ui), small, command_label(command("language"), ui.state, true), ui.px(10));
   const float left = row.right() - ImGui::GetItemRectMax().x;
-  add(command("lessons"), std::min(lessons, std::max(left, ui.px(40))), {},
+  add(command("lessons"), std::min(lessons, std::max(left, ui.px(40))), small, {},
       std::min(ui.px(6), std::max(left - lessons, 0.0f)));
   return ImGui::GetItemRectMax().x;
 }
@@ -189,7 +193,7 @@ float bar_width(const Ui& ui) {
     sum += button_width(ui, *each, {.look = Look::choice, .icon = Icon::none, .font = ui.fonts.strong});
   const float lessons =
       button_width(ui, command("lessons"), {.look = Look::flat, .icon = Icon::none, .font = ui.fonts.small});
-  return sum + 2 * apart + 2 * height + language_width(height) + lessons + ui.px(2 + 10 + 6);
+  return sum + 2 * apart + 2 * height + language_width(ui) + lessons + ui.px(2 + 10 + 6);
 }
 
 int bar_pane(const Ui& ui, const Rect& where, int open_menu) {
@@ -206,7 +210,8 @@ int bar_pane(const Ui& ui, const Rect& where, int open_menu) {
   if (!has_bar) return -1;
   // Large letters in a small window leave less space between menus.
   const float apart = where.width < ui.px(800) ? ui.px(7) : ui.px(14);
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {apart, ui.px(8)});
+  // What is between lines is part of a menu's heading.
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {apart, std::max(ui.px(8), ui.finger - text_height)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ui.padding(10, 10));
   for (std::size_t i = 0; i < menus.size(); ++i)
     if (show_menu(ui, menus[i], open_menu == static_cast<int>(i))) is_open = static_cast<int>(i);

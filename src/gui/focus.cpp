@@ -19,7 +19,7 @@ void focus_button(const Ui& ui, const Rect& where) {
   const Colour ground = ui.state.walk.mode == Mode::move ? ui.colours.window : ui.colours.plan;
   const Pane pane(ui, "corner", where, ground, {0, 0}, ImGuiWindowFlags_NoScrollbar);
   if (!pane) return;
-  const float gap = ui.px(4), edge = std::max(std::min(where.width, where.height) - 2 * gap, 1.0f);
+  const float gap = ui.px(ui.finger > 0 ? 1 : 4), edge = std::max(std::min(where.width, where.height) - 2 * gap, 1.0f);
   ImGui::SetCursorScreenPos({where.x + (where.width - edge) / 2, where.y + (where.height - edge) / 2});
   command_button(ui, command("focus"), {edge, edge},
                  {.look = Look::choice, .icon = Icon::focus, .font = nullptr, .label = false});

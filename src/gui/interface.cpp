@@ -14,7 +14,15 @@
 namespace raywalk {
 
 Ui Interface::ui(const State& state, const Fonts& fonts, float unit, float dpi) {
-  return {state, fonts, palette(state.appearance.theme), unit, dpi, actions_, wishes_, items_, rest_};
+  return {.state = state,
+          .fonts = fonts,
+          .colours = palette(state.appearance.theme),
+          .unit = unit,
+          .dpi = dpi,
+          .actions = actions_,
+          .wishes = wishes_,
+          .items = items_,
+          .rest = rest_};
 }
 
 void Interface::grant(const Ui& ui) {
@@ -103,7 +111,7 @@ void Interface::run(const State& state, const Fonts& fonts, float unit, float dp
 
 void Interface::draw(const State& state, const Fonts& fonts, float unit, float dpi, const PictureView& picture) {
   items_.clear();
-  const Ui with = ui(state, fonts, unit, dpi);
+  Ui with = ui(state, fonts, unit, dpi);
   ImGuiIO& io = ImGui::GetIO();
   if (io.MouseDelta.x != 0 || io.MouseDelta.y != 0) rest_.pointer_moved();
   // Arrows and Enter work inside menus and dialogs; outside they are commands.
@@ -135,6 +143,7 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   wishes.code = code_height(with);
   wishes.code_part = static_cast<float>(state.appearance.code_part);
   wishes.code_width = code_width(with);
+  if (is_one_column(wishes)) with.finger = with.px(finger_height);
   wishes.bar_width = bar_width(with);
   const bool helps = state.walk.mode == Mode::help;
   // A line that a lesson asks for is clicked in the code, and marked there with the answer.

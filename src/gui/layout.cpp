@@ -33,7 +33,9 @@ void lay_out_walk(const LayoutWishes& wishes, float lesson, float top, float bot
     end -= height;
     return Rect{edge, end, width, height};
   };
-  const float usual = (wishes.height < low_window * wishes.unit ? 36 : 42) * wishes.unit;
+  const float usual = wishes.unit * (is_one_column(wishes)                      ? finger_height
+                                     : wishes.height < low_window * wishes.unit ? 36
+                                                                                : 42);
   layout.strip = above(0.3f, wishes.bare ? 0 : std::max(wishes.strip, usual));
   const float corner = take(width * 0.2f, std::min(layout.strip.height, usual));
   layout.strip.width -= corner;
@@ -48,7 +50,8 @@ void lay_out_walk(const LayoutWishes& wishes, float lesson, float top, float bot
 
 // Of code, tabs and lesson the one that is in front, below the choice of it, in `where`.
 void lay_out_front(const LayoutWishes& wishes, const Rect& where, Layout& layout) {
-  const float choice = wishes.bare && wishes.lesson <= 0 ? 0 : take(where.height * 0.3f, 38 * wishes.unit);
+  const float wish = (is_one_column(wishes) ? finger_height + 2 : 38) * wishes.unit;
+  const float choice = wishes.bare && wishes.lesson <= 0 ? 0 : take(where.height * 0.3f, wish);
   layout.fronts = {where.x, where.y, where.width, choice};
   Rect& front = wishes.front == Front::code ? layout.side : wishes.front == Front::tabs ? layout.tabs : layout.lesson;
   front = {where.x, where.y + choice, where.width, where.height - choice};
@@ -57,12 +60,11 @@ void lay_out_front(const LayoutWishes& wishes, const Rect& where, Layout& layout
 Layout lay_out_upright(const LayoutWishes& wishes) {
   const float unit = wishes.unit, width = std::max(wishes.width, 0.0f), height = std::max(wishes.height, 0.0f);
   const float line = hairline(wishes);
-  constexpr float least_tabs = 220, least_two = 540;  // widths, in units at scale 1
-  const bool one_column = width < std::max(wishes.code_width + line + least_tabs * unit, least_two * unit);
+  const bool one_column = is_one_column(wishes);
   Layout layout;
   // In two lines, where one has no room for all.
-  const bool two_lines = one_column || wishes.bar_width > width;
-  if (!wishes.bare) layout.bar = {0, 0, width, take(height, (two_lines ? 76 : 44) * unit)};
+  const float bar = one_column ? 2 * (finger_height + 2) : wishes.bar_width > width ? 76 : 44;
+  if (!wishes.bare) layout.bar = {0, 0, width, take(height, bar * unit)};
   const float top = wishes.bare ? 0 : std::min(layout.bar.bottom() + line, height), below = height - top;
   // In focus a question stands below the walk, where there is room for it; in one column so does any lesson.
   const bool asks = wishes.focus && !one_column && wishes.lesson > 2 * folded_width * unit;
@@ -168,6 +170,12 @@ void fill_with_help(float height, Layout& layout) {
 }  // namespace
 
 bool is_upright(float width, float height) { return height > 1.15f * width; }
+
+bool is_one_column(const LayoutWishes& wishes) {
+  constexpr float least_tabs = 220, least_two = 540;  // widths, in units at scale 1
+  const float least = wishes.code_width + hairline(wishes) + least_tabs * wishes.unit;
+  return is_upright(wishes.width, wishes.height) && wishes.width < std::max(least, least_two * wishes.unit);
+}
 
 float shrink_to_fit(float width, float height, float unit, bool lesson) {
   // The least of a window, in units at scale 1.

@@ -60,8 +60,13 @@ struct LayoutWishes {
 inline constexpr float folded_width = 22;
 /// Below this height, in units at scale 1, buttons that also have a key or a menu entry are hidden.
 inline constexpr float low_window = 430;
+/// How high is what a finger presses, in units at scale 1: 44 pixels of a telephone of 390, and 40 of one of 360.
+inline constexpr float finger_height = 46;
 /// Taller than wide: code and tabs are below the walk, beside each other or, in a narrow window, one at a time.
 [[nodiscard]] bool is_upright(float width, float height);
+/// Upright and too narrow for two columns, as a telephone is: lesson, code and tabs stand below the walk one at a time,
+/// and what is pressed is as high as a finger needs.
+[[nodiscard]] bool is_one_column(const LayoutWishes& wishes);
 /// In a window too small for everything all is drawn smaller, by this factor: 1 if not needed. `lesson`: one stands
 /// beside the plan.
 [[nodiscard]] float shrink_to_fit(float width, float height, float unit, bool lesson = false);

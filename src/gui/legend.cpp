@@ -55,12 +55,12 @@ void LegendRoom::draw_tab(const Ui& ui, const Rect& where, TabContext&) {
   for (const Command* each : commands_in(Section::earlier))
     buttons += button_width(ui, *each, {.look = Look::choice, .icon = Icon::none, .font = ui.fonts.small});
   const bool in_line = words + buttons <= room;
-  if (in_line) ImGui::SetCursorPosY(ImGui::GetCursorPosY() + (ui.px(30) - ImGui::GetFontSize()) / 2);
+  if (in_line) ImGui::SetCursorPosY(ImGui::GetCursorPosY() + (ui.high(30) - ImGui::GetFontSize()) / 2);
   const ImVec2 begun = ImGui::GetCursorScreenPos();
   label(ui.colours.text, earlier);
-  if (in_line) ImGui::SetCursorScreenPos({begun.x + words, begun.y - (ui.px(30) - ImGui::GetFontSize()) / 2});
+  if (in_line) ImGui::SetCursorScreenPos({begun.x + words, begun.y - (ui.high(30) - ImGui::GetFontSize()) / 2});
   pop_font();
-  choice(ui, commands_in(Section::earlier), ui.px(30), ui.fonts.small, in_line ? room - words : room);
+  choice(ui, commands_in(Section::earlier), ui.high(30), ui.fonts.small, in_line ? room - words : room);
   ImGui::Spacing();
   for (const LegendRow& row : content.rays) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -125,7 +125,7 @@ class LegendLines {
   }
 
   [[nodiscard]] float line() const { return line_height(ui_.fonts, *ui_.fonts.small) + ui_.px(2); }
-  [[nodiscard]] float button_height() const { return ui_.px(30); }
+  [[nodiscard]] float button_height() const { return ui_.high(30); }
 
   static constexpr float left = 14;  // the margin, at scale 1
   const std::vector<LegendRow>& rays;
@@ -187,7 +187,8 @@ void legend_pane(const Ui& ui, const Rect& where) {
   const LegendLines lines(ui, content, where.width);
   push_font(ui.fonts.small);
   const float height = line_height(ui.fonts, *ui.fonts.small);
-  const float line = std::min(lines.line(), where.height / static_cast<float>(lines.lines));
+  const float most = where.height / static_cast<float>(lines.lines);
+  const float line = ui.finger > 0 ? most : std::min(lines.line(), most);
   float y = std::round(where.y + (where.height - line * static_cast<float>(lines.lines)) / 2 + (line - height) / 2);
   float x = where.x + ui.px(LegendLines::left);
   for (std::size_t i = 0; i < lines.rays.size(); ++i) {
@@ -206,7 +207,7 @@ void legend_pane(const Ui& ui, const Rect& where) {
     draw.AddText({std::round(x), y}, ink, name.c_str());
     // Struck through, so that a kind that is hidden is not only fainter.
     if (!shown) draw.AddLine({left, y + height / 2}, {x + words, y + height / 2}, ink, ui.px(1.5f));
-    row_button(ui, row, {left, y, x + words - left, line});
+    row_button(ui, row, {left, y - (line - height) / 2, x + words - left, line});
     x += std::max(lines.aligned, words) + lines.between;
   }
   const float button_height = std::min(lines.button_height(), where.height);

@@ -1,3 +1,4 @@
+#include "gui/broken_lines.h"
 #include "gui/command.h"
 #include "gui/pane_words.h"
 #include "gui/panes.h"
@@ -128,20 +129,26 @@ void options(const Ui& ui, float width, bool open) {
 // The current step, a close button, and the topic.
 void head(const Ui& ui, const LessonPanel& panel, const Rect& where, bool open) {
   const float width = ImGui::GetContentRegionAvail().x, height = button_height(ui);
+  const std::string about = open ? fmt::format("{}/{} \u00b7 {}", panel.step, panel.steps, panel.lesson) : panel.score;
   push_font(ui.fonts.small);
-  label(ui.colours.dim_text,
-        shortened(open ? fmt::format("{}/{} \u00b7 {}", panel.step, panel.steps, panel.lesson) : panel.score,
-                  width - 2 * height));
+  const std::string shown = shortened(about, width - 2 * height);
+  label(ui.colours.dim_text, shown);
+  const float about_height = ImGui::GetTextLineHeightWithSpacing();
   pop_font();
+  ui.publish("lesson-about");
+  if (shown != about) tooltip(ui, "lesson-about", about);
   ImGui::SetCursorScreenPos({where.right() - ui.px(8) - height, where.y + ui.px(6)});
   if (button(ui, "lesson-close", "", open ? ui.say("lesson.close") : "", {height, height},
              {.look = Look::flat, .icon = Icon::close, .font = nullptr, .label = false})) {
     if (open) ui.act(action::LeaveLesson{});
     ui.act(action::ShowLessons{false});
   }
-  ImGui::SetCursorScreenPos({where.x + ui.px(16), where.y + ui.px(12) + height});
+  // Below the button, unless a finger has made that higher than the line beside it.
+  const bool beside = ui.finger > 0;
+  ImGui::SetCursorScreenPos({where.x + ui.px(16), where.y + ui.px(12) + (beside ? about_height : height)});
   push_font(ui.fonts.title);
-  paragraph(ui.colours.text, open ? panel.heading : ui.say("lesson.lessons"));
+  label(ui.colours.text,
+        broken_lines(open ? panel.heading : ui.say("lesson.lessons"), beside ? width - height : width));
   pop_font();
   if (!panel.told_in.empty()) paragraph(ui.colours.dim_text, panel.told_in);
 }
@@ -315,7 +322,7 @@ void LessonPane::draw(const Ui& ui, const Rect& where) {
   // A telephone has no room for what a teacher chooses once; the list of lessons has it, too.
   const bool has_options = !alone && (!open || where.height > ui.px(360));
   const float options_height = has_options ? height + ui.px(8) : 0;
-  const float foot = (open ? height + ui.px(18) : ui.px(10)) + options_height;
+  const float foot = (open ? height + ui.px(ui.finger > 0 ? 12 : 18) : ui.px(10)) + options_height;
   const float room = std::max(where.bottom() - ImGui::GetCursorScreenPos().y - foot, 1.0f);
   const bool is_low = room <= ui.px(240);
   ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4{0, 0, 0, 0});
@@ -352,7 +359,7 @@ void LessonPane::draw(const Ui& ui, const Rect& where) {
   ImGui::EndChild();
   ImGui::PopStyleColor();
 
-  if (open) steps(ui, panel, {left, where.bottom() - foot + ui.px(8)}, width);
+  if (open) steps(ui, panel, {left, where.bottom() - foot + ui.px(ui.finger > 0 ? 6 : 8)}, width);
   if (!has_options) return;
   ImGui::SetCursorScreenPos({left, where.bottom() - ui.px(10) - height});
   options(ui, width, open);

@@ -32,7 +32,7 @@ std::vector<PaletteButton> palette_buttons() {
 void palette_pane(const Ui& ui, const Rect& where) {
   const Pane pane(ui, "palette", where, ui.colours.window, {0, 0}, ImGuiWindowFlags_NoScrollbar);
   if (!pane) return;
-  const float margin = ui.px(10), height = where.height - 2 * ui.px(6);
+  const float margin = ui.px(10), inset = ui.finger > 0 ? 0 : ui.px(6), height = where.height - 2 * inset;
   std::vector<PaletteButton> buttons = palette_buttons();
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   bool in_short = false;
@@ -51,7 +51,7 @@ void palette_pane(const Ui& ui, const Rect& where) {
   in_short = width() > where.width;
   change([](ButtonLook& look) { look.label = false; });
   const float less = std::max(width() - where.width, 0.0f) / static_cast<float>(buttons.size());
-  ImGui::SetCursorScreenPos({where.x + margin, where.y + ui.px(6)});
+  ImGui::SetCursorScreenPos({where.x + margin, where.y + inset});
   for (const PaletteButton& each : buttons) {
     const float own = std::max(button_width(ui, word(each), each.look) - less, 1.0f);
     command_button(ui, *each.command, {own, height}, each.look, word(each));

@@ -59,7 +59,7 @@ void heading(const Ui& ui, Colour colour, const std::string& text) {
   pop_font();
 }
 
-float button_height(const Ui& ui) { return ImGui::GetFontSize() + ui.px(14); }
+float button_height(const Ui& ui) { return std::max(ImGui::GetFontSize() + ui.px(14), ui.finger); }
 
 bool wide_button(const Ui& ui, const std::string& name, const std::string& text, Colour ground, Colour ink,
                  bool enabled, float width) {
@@ -67,16 +67,19 @@ bool wide_button(const Ui& ui, const std::string& name, const std::string& text,
   const float pad = ui.px(10);
   const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, width - 2 * pad);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float height = size.y + ui.px(12);
+  const float height = std::max(size.y + ui.px(12), ui.finger);
+  // What a finger presses shows less than that: neighbours then need no gap.
+  const float inset = ui.finger > 0 ? ui.px(3) : 0, y = at.y + inset, bottom = at.y + height - inset;
   const bool pressed = ImGui::InvisibleButton(name.c_str(), {width, height}) && enabled;
   ui.publish(name);
   const Shades shades(ui.state.appearance.theme);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
-  draw.AddRectFilled(at, {at.x + width, at.y + height}, to_imgui(ground), ui.px(6));
+  draw.AddRectFilled({at.x, y}, {at.x + width, bottom}, to_imgui(ground), ui.px(6));
   if (enabled && ImGui::IsItemHovered())
-    draw.AddRect(at, {at.x + width, at.y + height}, to_imgui(shades.accent), ui.px(6), 0, ui.px(1.4f));
-  draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {at.x + pad, at.y + ui.px(6)}, to_imgui(ink), text.c_str(),
-               nullptr, width - 2 * pad);
+    draw.AddRect({at.x, y}, {at.x + width, bottom}, to_imgui(shades.accent), ui.px(6), 0, ui.px(1.4f));
+  draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {at.x + pad, at.y + (height - size.y) / 2}, to_imgui(ink),
+               text.c_str(), nullptr, width - 2 * pad);
+  if (inset > 0) ImGui::SetCursorPosY(ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y);
   return pressed;
 }
 

@@ -12,10 +12,11 @@ void fronts_pane(const Ui& ui, const Rect& where, Front front, bool with_lesson)
   const Pane pane(ui, "fronts", where, ui.colours.window, {0, 0}, ImGuiWindowFlags_NoScrollbar);
   if (!pane) return;
   const float margin = ui.px(10), gap = ui.px(6), count = with_lesson ? 3 : 2;
-  const ImVec2 extent{(where.width - 2 * margin - (count - 1) * gap) / count, where.height - ui.px(6)};
+  const float inset = ui.px(ui.finger > 0 ? 1 : 3);
+  const ImVec2 extent{(where.width - 2 * margin - (count - 1) * gap) / count, where.height - 2 * inset};
   float x = where.x + margin;
   const auto choice = [&](Front each, const char* name, std::string_view label) {
-    ImGui::SetCursorScreenPos({x, where.y + ui.px(3)});
+    ImGui::SetCursorScreenPos({x, where.y + inset});
     if (button(ui, name, ui.say(label), "", extent, {.look = Look::choice}, front == each))
       ui.act(action::ShowFront{each});
     x += extent.x + gap;
@@ -57,7 +58,7 @@ float tabs_width(const Ui& ui, float width) { return width - ui.px(2 * tab_margi
 }  // namespace
 
 float tab_choice_height(const Ui& ui, float width) {
-  return choice_height(ui, commands_in(Section::tabs), ui.px(tab_height), ui.fonts.small, tabs_width(ui, width)) +
+  return choice_height(ui, commands_in(Section::tabs), ui.high(tab_height), ui.fonts.small, tabs_width(ui, width)) +
          ui.px(2 * tab_inset);
 }
 
@@ -67,11 +68,11 @@ void tab_choice(const Ui& ui, const Rect& where) {
   if (!pane) return;
   ImGui::GetWindowDrawList()->AddLine({where.x, where.y}, {where.right(), where.y},
                                       to_imgui(Shades(ui.state.appearance.theme).line));
-  const float height = ui.px(tab_height), y = where.y + ui.px(tab_inset);
+  const float height = ui.high(tab_height), edge = ui.px(tab_height), y = where.y + ui.px(tab_inset);
   ImGui::SetCursorScreenPos({where.x + ui.px(tab_margin), y});
   choice_in_lines(ui, commands_in(Section::tabs), height, ui.fonts.small, tabs_width(ui, where.width));
-  ImGui::SetCursorScreenPos({where.right() - ui.px(tab_margin) - height, y});
-  command_button(ui, command("exchange"), {height, height},
+  ImGui::SetCursorScreenPos({where.right() - ui.px(tab_margin) - edge, y});
+  command_button(ui, command("exchange"), {edge, height},
                  {.look = Look::choice, .icon = Icon::exchange, .font = nullptr, .label = false}, {},
                  panes_exchanged(ui.state));
 }

@@ -26,14 +26,15 @@ struct Rows {
   explicit Rows(const Ui& ui, float width) {
     constexpr float low = 560;  // units at scale 1
     const bool tight = ImGui::GetIO().DisplaySize.y < ui.px(low);
-    // A telephone held upright has room for as little as a low window.
+    // A telephone held upright has room for as little as a low window, but for larger buttons, close to each other.
     constexpr float telephone = 470;  // units at scale 1
     const ImVec2 whole = ImGui::GetIO().DisplaySize;
-    compact = whole.y < ui.px(low_window) || (is_upright(whole.x, whole.y) && width < ui.px(telephone));
-    big = ui.px(compact ? 34 : tight ? 38 : 46);
-    gap = ui.px(tight ? 6 : 9);
-    top = ui.px(tight ? 5 : 8);
-    bottom = ui.px(tight ? 8 : margin);
+    const bool by_finger = ui.finger > 0;
+    compact = whole.y < ui.px(low_window) || by_finger || (is_upright(whole.x, whole.y) && width < ui.px(telephone));
+    big = ui.high(compact ? 34 : tight ? 38 : 46);
+    gap = ui.px(by_finger ? 3 : tight ? 6 : 9);
+    top = ui.px(tight || by_finger ? 5 : 8);
+    bottom = ui.px(by_finger ? 3 : tight ? 8 : margin);
     const float space = ImGui::GetStyle().ItemSpacing.x;
     const auto grains = [&](ImFont* font) {
       float sum = ui.px(10);
@@ -79,7 +80,7 @@ struct Rows {
     sentence =
         inner < ui.px(narrow) ? 3 * line_height(ui.fonts, *ui.fonts.small) : 2 * line_height(ui.fonts, *ui.fonts.text);
     sentence += ui.px(6);
-    scrub = beside ? ui.px(26) : ui.px(small);
+    scrub = ui.high(beside ? 26 : small);
     height = top + sentence + gap + big + gap + (own_row ? ui.px(small) + gap : 0) + scrub + bottom;
   }
   float big, gap, top, bottom, grain, speed, slider, inner, sentence, scrub, height;
@@ -167,15 +168,15 @@ void scrub_row(const Ui& ui, const Rows& rows, ImVec2 at) {
   const float right = at.x + rows.inner;
   if (rows.compact) at.x = grain_button(ui, rows, at) + ui.px(6);
   if (!rows.beside && !rows.own_row) at.x += rows.grain + ui.px(8);
-  const float edge = ui.px(26);
-  at.y += (rows.scrub - edge) / 2;
+  const float edge = ui.px(26), high = ui.high(26);
+  at.y += (rows.scrub - high) / 2;
   const float length = right - at.x - 2 * (edge + ui.px(8)) - (with_status ? widest + ui.px(10) : 0);
 
   const ButtonLook first{.look = Look::flat, .icon = Icon::first, .font = nullptr, .label = false};
   ButtonLook last = first;
   last.icon = Icon::last;
   ImGui::SetCursorScreenPos(at);
-  command_button(ui, command("first"), {edge, edge}, first);
+  command_button(ui, command("first"), {edge, high}, first);
   const float left = at.x + edge + ui.px(8);
   ImGui::SetCursorScreenPos({left, at.y});
   const int steps = std::max(state.walk.timeline->steps(), 1);
@@ -184,20 +185,20 @@ void scrub_row(const Ui& ui, const Rows& rows, ImVec2 at) {
   if (length / static_cast<float>(pixels.size() + 1) > ui.px(5)) {
     for (const PixelRecord& pixel : pixels) {
       const float x = std::round(left + length * static_cast<float>(pixel.done_at) / static_cast<float>(steps));
-      ImGui::GetWindowDrawList()->AddLine({x, at.y + edge * 0.2f}, {x, at.y + edge * 0.8f},
+      ImGui::GetWindowDrawList()->AddLine({x, at.y + (high - 0.6f * edge) / 2}, {x, at.y + (high + 0.6f * edge) / 2},
                                           to_imgui(Shades(state.appearance.theme).raised_hovered));
     }
   }
   const float fraction = static_cast<float>(state.walk.position) / static_cast<float>(steps);
-  if (const auto to = slider(ui, "scrub", {length, edge}, fraction, "")) {
+  if (const auto to = slider(ui, "scrub", {length, high}, fraction, "")) {
     const int position = static_cast<int>(std::lround(static_cast<double>(*to) * steps));
     if (position != state.walk.position) ui.act(action::Jump{position});
   }
   tooltip(ui, "scrub", ui.say("transport.scrub_hint") + "\n" + status_line(state));
   ImGui::SetCursorScreenPos({left + length + ui.px(8), at.y});
-  command_button(ui, command("last"), {edge, edge}, last);
+  command_button(ui, command("last"), {edge, high}, last);
   if (!with_status) return;
-  ImGui::SetCursorScreenPos({right - widest, at.y + (edge - line_height(ui.fonts, *ui.fonts.small)) / 2});
+  ImGui::SetCursorScreenPos({right - widest, at.y + (high - line_height(ui.fonts, *ui.fonts.small)) / 2});
   push_font(ui.fonts.small);
   const ImVec2 place = ImGui::GetCursorScreenPos();
   if (ImGui::InvisibleButton("status", {widest, line_height(ui.fonts, *ui.fonts.small)}))

@@ -92,6 +92,7 @@ struct Ui {
   /// Rectangles drawn in this frame, by name: used by tests.
   std::map<std::string, Rect, std::less<>>& items;
   Rest& rest;
+  float finger = 0;  ///< the least height of what is pressed, in ImGui's units; 0: as its words need
 
   /// A text in the language of the interface, with its arguments.
   [[nodiscard]] std::string say(std::string_view id, const TextArguments& arguments = {}) const {
@@ -104,6 +105,8 @@ struct Ui {
   /// The padding of a window that is as large as its contents: whole, for ImGui drops what its size has beyond whole
   /// units, and a window that lacks that part scrolls.
   [[nodiscard]] ImVec2 padding(float x, float y) const { return {std::round(px(x)), std::round(px(y))}; }
+  /// A height of what is pressed: so many units, and where a finger presses as many as that needs.
+  [[nodiscard]] float high(float units) const { return std::max(px(units), finger); }
   /// Notes the rectangle of ImGui's last item.
   void publish(std::string_view name) const;
   void publish(std::string_view name, const Rect& where) const;

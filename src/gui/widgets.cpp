@@ -39,6 +39,9 @@ Colour ground_of(const Shades& shades, Look look, bool is_chosen, bool hovered, 
   return of(shades.raised.with_alpha(0), shades.raised_hovered, shades.raised_held);
 }
 
+// What a finger presses, so high, shows less than that above and below.
+float unseen(const Ui& ui, float height) { return ui.finger > 0 && height > ui.finger - 1 ? ui.px(4) : 0; }
+
 std::string hint_of(const Command& command, Language language) {
   const std::string key = command_key(command, language);
   const std::string hint = capitalised(command_hint(command, language));
@@ -214,11 +217,13 @@ bool button(const Ui& ui, std::string_view name, const std::string& label, const
   const Shades shades(ui.state.appearance.theme);
   const Metrics m = measure(ui, label, look);
   if (size.x <= 0) size.x = m.width() + 2 * ui.px(12);
-  if (size.y <= 0) size.y = ImGui::GetFontSize() + 2 * ui.px(7);
+  if (size.y <= 0) size.y = std::max(ImGui::GetFontSize() + 2 * ui.px(7), ui.finger);
   if (!is_enabled) ImGui::BeginDisabled();
   const bool pressed = ImGui::InvisibleButton(std::string(name).c_str(), size);
   const bool hovered = ImGui::IsItemHovered(), held = ImGui::IsItemActive();
-  const ImVec2 least = ImGui::GetItemRectMin(), most = ImGui::GetItemRectMax();
+  const float inset = unseen(ui, size.y);
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  const ImVec2 least{low.x, low.y + inset}, most{high.x, high.y - inset};
   ImDrawList& draw = *ImGui::GetWindowDrawList();
 
   const auto dim = [&](Colour c) { return is_enabled ? c : c.with_alpha(static_cast<int>(c.a * 0.4)); };
@@ -285,8 +290,9 @@ void choice(const Ui& ui, const std::vector<const Command*>& commands, float hei
   if (less > ui.px(20) && font != ui.fonts.small) return choice(ui, commands, height, ui.fonts.small, max_width);
   width = std::min(width, max_width);
   const ImVec2 least = ImGui::GetCursorScreenPos();
-  ImGui::GetWindowDrawList()->AddRectFilled(least, {least.x + width, least.y + height}, to_imgui(shades.raised),
-                                            ImGui::GetStyle().FrameRounding);
+  const float inset = unseen(ui, height);
+  ImGui::GetWindowDrawList()->AddRectFilled({least.x, least.y + inset}, {least.x + width, least.y + height - inset},
+                                            to_imgui(shades.raised), ImGui::GetStyle().FrameRounding);
   float x = least.x;
   for (const Command* each : commands) {
     const float own = std::max(button_width(ui, word(*each), look) - less, 1.0f);
@@ -339,7 +345,7 @@ std::optional<ChoiceLines> choice_lines(const Ui& ui, const std::vector<const Co
     if (even.size() > lines.size()) break;
     lines = std::move(even);
   }
-  return ChoiceLines{std::move(lines), in_short, line_height * 0.8f};
+  return ChoiceLines{std::move(lines), in_short, std::max(line_height * 0.8f, ui.finger)};
 }
 
 ButtonLook look_of_choice(ImFont* font) {
@@ -360,8 +366,8 @@ void choice_in_lines(const Ui& ui, const std::vector<const Command*>& commands, 
   const auto broken = choice_lines(ui, commands, line_height, look, width);
   if (!broken) return choice(ui, commands, line_height, font, width);
   const ImVec2 least = ImGui::GetCursorScreenPos();
-  const float height = broken->height(), low = broken->line_height;
-  ImGui::GetWindowDrawList()->AddRectFilled(least, {least.x + width, least.y + height},
+  const float height = broken->height(), low = broken->line_height, inset = unseen(ui, low);
+  ImGui::GetWindowDrawList()->AddRectFilled({least.x, least.y + inset}, {least.x + width, least.y + height - inset},
                                             to_imgui(Shades(ui.state.appearance.theme).raised),
                                             ImGui::GetStyle().FrameRounding);
   float y = least.y;

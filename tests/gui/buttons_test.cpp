@@ -271,6 +271,73 @@ TEST_CASE("lessons, the language and the length of a step are at hand in large l
   }
 }
 
+TEST_CASE("on a telephone held upright what is pressed is as high as a finger needs, in every language") {
+  const FontFiles files = find_fonts(font_folders(""));
+  struct Size {
+    float width, height, least;
+  };
+  for (const Size& each : {Size{390, 844, 44}, Size{360, 640, 40}}) {
+    for (const Language language : all_languages()) {
+      Bench bench(at(40, Mode::trace), each.width, each.height, files);
+      bench.state.lessons.folder = RAYWALK_SOURCE_DIR "/lessons";
+      bench.state.lessons.scenes_folder = RAYWALK_SOURCE_DIR "/scenes";
+      bench.state.appearance.language = language;
+      bench.unit = bench.dpi = shrink_to_fit(each.width, each.height, 1);
+      const auto check = [&](const std::vector<std::string>& items) {
+        bench.resize(each.width, each.height);
+        for (const std::string& item : items) {
+          CAPTURE(each.width, language.code(), item);
+          REQUIRE(bench.has(item));
+          const Rect where = bench.rect(item);
+          CHECK(where.height >= each.least - 0.5f);
+          CHECK(where.x >= 0);
+          CHECK(where.y >= 0);
+          CHECK(where.right() <= each.width + 0.5f);
+          CHECK(where.bottom() <= each.height + 0.5f);
+          CHECK_FALSE(bench.has(item + "/clipped"));
+        }
+      };
+      const std::vector<std::string> bar{"menu-file", "menu-panels", "mode-move", "mode-trace", "mode-help",
+                                         "undo",      "redo",        "language",  "lessons"};
+      const std::vector<std::string> walk{"step-back", "step", "play",  "clear",      "grain",
+                                          "first",     "last", "scrub", "front-code", "front-tabs"};
+      check(bar);
+      check(walk);
+      check({"only-pixel"});
+      update(bench.state, action::ShowFront{Front::tabs});
+      check({"tab-image", "tab-stack", "tab-structure", "exchange"});
+      update(bench.state, action::SetMode{Mode::move});
+      check(bar);
+      check({"add-polygon", "add-light"});
+      update(bench.state, action::SetMode{Mode::trace});
+      update(bench.state, action::ShowLessons{true});
+      update(bench.state, action::ShowFront{Front::lesson});
+      check({"lesson/01-ray-casting", "lesson-close"});
+      update(bench.state, action::OpenLesson{"01-ray-casting"});
+      update(bench.state, action::GoToLessonStep{1});
+      check(walk);
+      check({"front-lesson", "lesson-list", "lesson-back", "lesson-reveal", "lesson-close"});
+      CHECK(bench.rect("guess/1").height >= each.least - 0.5f);
+    }
+  }
+}
+
+TEST_CASE("the entries of a menu stand as far apart as a finger needs, and a menu that so is too long scrolls") {
+  for (const auto& [width, height] : {std::pair{844.0f, 390.0f}, {390.0f, 844.0f}}) {
+    CAPTURE(width);
+    Bench bench(at(0, Mode::move), width, height);
+    bench.unit = bench.dpi = shrink_to_fit(width, height, 1);
+    bench.resize(width, height);
+    bench.click("menu-view");
+    CHECK(bench.rect("menu/zoom-in").y - bench.rect("menu/fit").y < 30);
+    bench.click("menu-view");
+    update(bench.state, action::SetTouch{true});
+    bench.click("menu-view");
+    CHECK(bench.rect("menu/zoom-in").y - bench.rect("menu/fit").y >= 44);
+    CHECK(bench.rect("menu/full-screen").y > height);
+  }
+}
+
 TEST_CASE("every button that a mouse can press is in the window at 1280 x 720") {
   for (const Mode mode : {Mode::move, Mode::trace}) {
     Bench bench(at(40, mode));
