@@ -21,7 +21,7 @@ void change_theme(const Ui& ui) {
 }
 
 std::string language_label(const State& state, bool in_short) {
-  if (in_short) return std::string(state.appearance.language.next().sign());
+  if (in_short) return std::string(state.appearance.language.sign());
   return fill("command.language.label", state.appearance.language) + ": " +
          std::string(state.appearance.language.name());
 }

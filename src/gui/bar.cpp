@@ -164,9 +164,12 @@ float bar_buttons(const Ui& ui, const Rect& row, float x, float apart) {
     command_button(ui, each, {width, height}, look, label);
   };
   // The language also has a menu entry.
-  const float both = ui.px(10) + language_width(ui) + ui.px(6) + lessons;
-  if (ImGui::GetItemRectMax().x + both <= row.right() + 0.5f)
-    add(command("language"), language_width(ui), small, command_label(command("language"), ui.state, true), ui.px(10));
+  const float free = row.right() + 0.5f - ImGui::GetItemRectMax().x - ui.px(10) - ui.px(6) - lessons;
+  ButtonLook world = small;
+  world.icon = Icon::globe;
+  world.label = language_width(ui) <= free;  // else the globe alone
+  if (const float own = world.label ? language_width(ui) : edge; own <= free)
+    add(command("language"), own, world, command_label(command("language"), ui.state, true), ui.px(10));
   const float left = row.right() - ImGui::GetItemRectMax().x;
   add(command("lessons"), std::min(lessons, std::max(left, ui.px(40))), small, {},
       std::min(ui.px(6), std::max(left - lessons, 0.0f)));

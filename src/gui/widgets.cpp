@@ -204,6 +204,13 @@ void draw_icon(ImDrawList& draw, Icon icon, ImVec2 centre, float edge, ImU32 col
         draw.AddRect(at(-0.35f, y), at(0.35f, y + 0.6f), colour, 0, 0, 0.8f * thick);
       draw.AddRectFilled(at(-0.35f, -0.3f), at(0.35f, 0.3f), colour);
       break;
+    case Icon::globe:
+      draw.AddCircle(centre, 0.95f * r, colour, 28, 0.8f * thick);
+      draw.AddLine(at(-0.95f, 0), at(0.95f, 0), colour, 0.8f * thick);
+      for (const float side : {-1.0f, 1.0f})  // the meridians
+        draw.AddBezierCubic(at(0, -0.95f), at(side * 0.6f, -0.5f), at(side * 0.6f, 0.5f), at(0, 0.95f), colour,
+                            0.8f * thick, 16);
+      break;
     case Icon::up:
       draw.AddLine(at(0, -0.8f), at(0, 0.9f), colour, thick);
       draw.AddLine(at(0, -0.8f), at(-0.6f, -0.1f), colour, thick);

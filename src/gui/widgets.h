@@ -37,7 +37,8 @@ enum class Icon {
   eraser,
   bin,
   keep,
-  pixel
+  pixel,
+  globe
 };
 
 enum class Look {

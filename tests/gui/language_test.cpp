@@ -137,7 +137,7 @@ TEST_CASE("Ctrl+L, the button in the bar and the menu entry change the language 
   const std::size_t count = all_languages().size();
   for (std::size_t i = 0; i < count; ++i) {
     const Language before = bench.state.appearance.language;
-    CHECK(command_label(command("language"), bench.state, true) == before.next().sign());
+    CHECK(command_label(command("language"), bench.state, true) == before.sign());
     bench.key("Ctrl+L");
     CHECK(bench.state.appearance.language == before.next());
     CHECK(command_label(command("mode-move"), bench.state) == text("command.mode_move.label", before.next()));
