@@ -132,7 +132,7 @@ bool show_menu(const Ui& ui, const Menu& menu, bool open) {
 }
 
 // Of the button for the language.
-float language_width(const Ui& ui) { return ui.px(41); }
+float language_width(const Ui& ui) { return ui.px(44); }
 
 // Modes, undo, lessons and language, from `x` on, as far as there is room; returns where they end.
 float bar_buttons(const Ui& ui, const Rect& row, float x, float apart) {
