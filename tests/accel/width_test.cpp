@@ -4,6 +4,7 @@
 #include "accel/width.h"
 
 #include <limits>
+#include <memory>
 
 #include "accel/accelerator.h"
 #include "hostile.h"
@@ -90,6 +91,32 @@ TEMPLATE_TEST_CASE("what certainly blocks a shadow ray is never what it departs 
   const Comparison found = compare(list, tree, rays, {}, {});
   CHECK(found.differing == 0);
   CHECK(static_cast<int>(found.hit_ids.size()) > rounds(1000));
+}
+
+TEMPLATE_TEST_CASE("a ray that leaves a triangle does not hit its neighbour where only rounding put it beyond the edge",
+                   "[accel]", float, double) {
+  using T = TestType;
+  const bool copied = GENERATE(false, true);
+  CAPTURE(copied);
+  // Two sides of a valley along y: level to the left, rising to the right.
+  Mesh valley;
+  valley.positions = {{0, -1, 0}, {0, 1, 0}, {-1, 0, 0}, {1, 0, 0.5}};
+  valley.triangles = {{0, 1, 2}, {0, 3, 1}};
+  Primitives<T> all;
+  if (copied)
+    all.add_copy(std::make_shared<const Mesh>(valley), {}, false);
+  else
+    all.add(valley, {}, false);
+  const T tiny = std::numeric_limits<T>::epsilon() / 4, far = T(1) / 1024;
+  const auto hit = [&](T beyond_edge, int departed) {
+    Ray<T> ray{{beyond_edge, 0, 0}, {T(0.125), 0, 1}};
+    if (departed >= 0) ray.departure = {departed, 0};
+    return all.intersect(1, ray, infinity<T>).has_value();
+  };
+  // Steeper than the right side, from a little below it.
+  CHECK(hit(tiny, -1));
+  CHECK_FALSE(hit(tiny, 0));
+  CHECK(hit(far, 0));
 }
 
 TEMPLATE_TEST_CASE("packs rule out most triangles, and count them", "[accel]", float, double) {

@@ -127,6 +127,8 @@ mutant triangles_ruled_out_without_error accel accel/lane_tests.h 'all_of(4) * a
 mutant triangles_beyond_too_early accel accel/lane_tests.h 'nearest - (farthest - nearest) > ' 'nearest + nearest > '
 mutant triangles_behind_too_early accel accel/lane_tests.h '(at < -slack)' '(at < slack)'
 mutant triangles_beyond_without_slack accel accel/lane_tests.h 'at - slack > ray.reach * wide' 'at + slack > ray.reach * area'
+mutant packs_taken_for_exact widths accel/wide_tree.h 'packs_are_exact_ = false' 'packs_are_exact_ = true'
+mutant edge_left_unseen widths accel/triangles.h 'way > rounding * std::max(largest_, start)' 'way > rounding * start / 64'
 mutant certain_at_an_edge widths accel/lane_tests.h '(min(u, min(v, w)) > error)' '(min(u, min(v, w)) > -error)'
 mutant certain_beyond_the_light widths accel/lane_tests.h 'at + slack < short_of_it * narrow' 'at - slack < ray.reach * wide'
 mutant certain_of_the_departed widths accel/primitives.h '(departed != id && !any_equal_' '(!any_equal_'
