@@ -3,6 +3,7 @@
 #include "io/mesh_file.h"
 #include "io/mesh_text.h"
 #include "io/polygon_cut.h"
+#include "scene/schema_kinds.h"
 #include "text/text_file.h"
 
 #include <fmt/format.h>
@@ -58,6 +59,9 @@ class PlyReader {
     at_ = cursor_.position();
     if (format_ == Format::text) end_lines_with_lf(bytes_, at_, bytes_.size());
     for (const PlyElement& element : elements_)
+      if (element.name == "vertex")
+        vertices_ = std::min<std::int64_t>(element.count, std::numeric_limits<std::int32_t>::max());
+    for (const PlyElement& element : elements_)
       if (!read_element(element)) return tl::unexpected(*error_);
     if (normals_given_ < 3) mesh_.normals.clear();
     if (uv_given_ < 2) mesh_.uv.clear();
@@ -69,9 +73,44 @@ class PlyReader {
  private:
   bool fail(const std::string& message, const std::string& hint = "is the file damaged or cut short?") {
     const bool in_text = format_ == Format::text;
-    const std::string place = in_text ? "" : fmt::format(" at byte {}", at_);
-    if (!error_) error_ = Error{path_, in_text ? cursor_.line() : 0, 0, message + place, hint};
+    const std::string which = element_ == nullptr ? "" : fmt::format("{} {}: ", element_->name.substr(0, 40), index_);
+    if (error_) return false;
+    error_ = Error{path_, in_text ? cursor_.line() : 0, 0,
+                   which + message + (in_text ? "" : fmt::format(" at byte {}", value_at_)), hint};
+    if (element_ != nullptr && in_text && cursor_.line() > line_) end_of_text(false);
+    if (misfit_) {
+      misfit_->hint = fmt::format("what comes after it is read in the wrong place, up to line {}: {}", error_->line,
+                                  error_->message);
+      error_ = misfit_;
+    }
     return false;
+  }
+
+  /// Before an element's first value.
+  void begin(std::size_t index) {
+    index_ = index;
+    if (format_ != Format::text) return;
+    cursor_.to_word();
+    line_ = cursor_.line();
+    values_ = in_line_ = 0;
+  }
+  /// After its last one: the first whose line has too few or too many values is to blame for what does not fit later. A
+  /// file that is read to its end may break its lines as it likes.
+  void end_of_text(bool complete) {
+    const bool too_few = cursor_.line() > line_;
+    if (misfit_ || (!too_few && cursor_.is_line_done())) return;
+    const auto& all = element_->properties;
+    const bool has_list =
+        std::any_of(all.begin(), all.end(), [](const Property& each) { return each.count_type.has_value(); });
+    const std::string expected = complete ? std::to_string(values_) : has_list ? "more" : std::to_string(all.size());
+    misfit_ = Error{path_, line_, 0,
+                    fmt::format("{} {}: its line has {}{} value{} (expected {}, by the header)",
+                                element_->name.substr(0, 40), index_, too_few ? "" : "more than ",
+                                too_few ? in_line_ : values_, (too_few ? in_line_ : values_) == 1 ? "" : "s", expected),
+                    ""};
+  }
+  void end() {
+    if (format_ == Format::text) end_of_text(true);
   }
 
   /// Where binary data begins: after the header's last line, which ends like its first.
@@ -145,20 +184,24 @@ class PlyReader {
     return true;
   }
 
-  /// The next value of a type; NaN and an error at the end.
-  double value(PlyScalar type) {
+  /// The next value of a property, or its list's length; NaN and an error at the end.
+  double value(const Property& property, PlyScalar type) {
     if (format_ == Format::text) {
       const std::string_view word = cursor_.word_anywhere();
       const auto number = detail::number_in(word);
       if (!number)
-        fail(word.empty()
-                 ? "the file ends too early (expected a number)"
-                 : fmt::format("\"{}\" is no finite number (expected one such as 1.5 or 2e-3)", word.substr(0, 40)));
+        fail(word.empty() ? fmt::format("{}: the file ends too early (expected a number)", property.name)
+                          : fmt::format("{}: \"{}\" is no finite number (expected one such as 1.5 or 2e-3)",
+                                        property.name, word.substr(0, 40)));
+      ++values_;
+      if (cursor_.line() == line_) ++in_line_;
       return number.value_or(NAN);
     }
+    value_at_ = at_;
     const std::size_t size = size_of(type);
     if (bytes_.size() - at_ < size) {
-      fail(fmt::format("the file ends too early (expected {} more byte{})", size, size == 1 ? "" : "s"));
+      fail(fmt::format("{}: the file ends too early (expected {} more byte{})", property.name, size,
+                       size == 1 ? "" : "s"));
       return NAN;
     }
     std::array<unsigned char, 8> raw{};
@@ -188,6 +231,7 @@ class PlyReader {
 
   /// Whether the rest of the file can hold this many elements: nothing is allocated for a false count.
   bool can_hold(const PlyElement& element) {
+    value_at_ = at_;
     std::size_t least = 0;
     for (const Property& property : element.properties)
       least += format_ == Format::text ? 2 : size_of(property.count_type.value_or(property.type));
@@ -198,17 +242,22 @@ class PlyReader {
   }
 
   bool read_element(const PlyElement& element) {
-    if (element.properties.empty()) return true;
+    const bool is_vertices = element.name == "vertex";
+    element_ = nullptr;
+    if (element.properties.empty() && !is_vertices) return true;
     if (!can_hold(element)) return false;
     if (element.count > std::numeric_limits<std::int32_t>::max()) return fail("too many elements");
     const auto count = static_cast<std::size_t>(element.count);
-    if (element.name == "vertex") return read_vertices(element, count);
+    if (is_vertices) return read_vertices(element, count);
+    element_ = &element;
     for (std::size_t i = 0; i < count; ++i) {
+      begin(i);
       for (const Property& property : element.properties) {
         const bool is_corners = element.name == "face" && property.count_type &&
                                 (property.name == "vertex_indices" || property.name == "vertex_index");
         if (is_corners ? !read_face(property) : !skip(property)) return false;
       }
+      end();
     }
     return true;
   }
@@ -235,7 +284,9 @@ class PlyReader {
     mesh_.positions.reserve(count);
     if (normals_given_ == 3) mesh_.normals.reserve(count);
     if (uv_given_ == 2) mesh_.uv.reserve(count);
+    element_ = &element;
     for (std::size_t i = 0; i < count; ++i) {
+      begin(i);
       std::array<double, 8> v{};
       for (std::size_t p = 0; p < slots.size(); ++p) {
         const Property& property = element.properties[p];
@@ -243,9 +294,13 @@ class PlyReader {
           if (!skip(property)) return false;
           continue;
         }
-        v[static_cast<std::size_t>(slots[p])] = value(property.type);
+        const double number = v[static_cast<std::size_t>(slots[p])] = value(property, property.type);
+        if (!error_ && !(std::abs(number) <= schema::max_magnitude))
+          fail(fmt::format("{} is {:g} (expected a finite number, at most {:g})", property.name, number,
+                           schema::max_magnitude));
         if (error_) return false;
       }
+      end();
       mesh_.positions.emplace_back(v[0], v[1], v[2]);
       if (normals_given_ == 3) mesh_.normals.emplace_back(v[3], v[4], v[5]);
       if (uv_given_ == 2) mesh_.uv.emplace_back(v[6], v[7]);
@@ -255,12 +310,12 @@ class PlyReader {
 
   /// A list's length, if the rest of the file can hold it.
   std::optional<std::size_t> length_of(const Property& property) {
-    const double length = value(*property.count_type);
+    const double length = value(property, *property.count_type);
     if (error_) return std::nullopt;
     const std::size_t left = bytes_.size() - (format_ == Format::text ? cursor_.position() : at_);
     const std::size_t each = format_ == Format::text ? 1 : size_of(property.type);
     if (!(length >= 0 && length == std::floor(length) && length <= static_cast<double>(left / each))) {
-      fail(fmt::format("a list of {:g} values, which the file cannot hold", length));
+      fail(fmt::format("{} is a list of {:g} values, which the file cannot hold", property.name, length));
       return std::nullopt;
     }
     return static_cast<std::size_t>(length);
@@ -273,26 +328,29 @@ class PlyReader {
       if (!length) return false;
       count = *length;
     }
-    for (std::size_t i = 0; i < count && !error_; ++i) static_cast<void>(value(property.type));
+    for (std::size_t i = 0; i < count && !error_; ++i) static_cast<void>(value(property, property.type));
     return !error_;
   }
 
   bool read_face(const Property& property) {
     const auto length = length_of(property);
     if (!length) return false;
-    if (*length < 3) return fail(fmt::format("a face of {} corners (expected 3 or more)", *length));
+    if (*length < 3) return fail(fmt::format("it has {} corners (expected 3 or more)", *length));
     face_.clear();
     for (std::size_t i = 0; i < *length; ++i) {
-      const double index = value(property.type);
+      const double index = value(property, property.type);
       if (error_) return false;
-      if (!(index >= 0 && index <= std::numeric_limits<std::int32_t>::max() && index == std::floor(index)))
-        return fail(fmt::format("a face names vertex {:g} (expected a whole number, 0 or more)", index));
+      if (!(index >= 0 && index < static_cast<double>(vertices_) && index == std::floor(index)))
+        return fail(fmt::format("it names vertex {:g} (expected {})", index,
+                                vertices_ > 0 ? fmt::format("a whole number from 0 to {}", vertices_ - 1)
+                                              : "\"element vertex COUNT\" in the header, for there are none"),
+                    "vertices are counted from 0, in the order of the file");
       face_.push_back(static_cast<std::int32_t>(index));
     }
     const auto last = static_cast<std::size_t>(*std::max_element(face_.begin(), face_.end()));
     if (last < mesh_.positions.size())
       return detail::add_face(mesh_, face_) || fail(detail::too_many_corners(face_.size()), detail::hint_to_cut);
-    // Of faces that stand above the vertices, or of no vertices at all, nothing is known yet.
+    // Of faces that stand above the vertices nothing is known yet.
     detail::add_fan(mesh_, face_);
     return true;
   }
@@ -300,12 +358,18 @@ class PlyReader {
   std::string& bytes_;
   const std::string& path_;
   detail::TextCursor cursor_;
-  std::size_t at_ = 0;  ///< of binary data
+  std::size_t at_ = 0, value_at_ = 0;  ///< of binary data: what is next, and the value that was read last
   Format format_ = Format::text, header_format_ = Format::text;
   std::vector<PlyElement> elements_;
   std::vector<std::int32_t> face_;  ///< vertices of the one that is read
   Mesh mesh_;
   int normals_given_ = 0, uv_given_ = 0;
+  std::int64_t vertices_ = 0;            ///< as the header counts them
+  const PlyElement* element_ = nullptr;  ///< that is read
+  std::size_t index_ = 0;                ///< of that element
+  // As text: its first line, how many values it has so far, and how many of them in that line.
+  int line_ = 0, values_ = 0, in_line_ = 0;
+  std::optional<Error> misfit_;  ///< the first line that has too few or too many
   std::optional<Error> error_;
 };
 

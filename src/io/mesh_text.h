@@ -35,6 +35,16 @@ class TextCursor {
     while (at_ < text_.size() && !is_blank(text_[at_]) && !joins_lines()) ++at_;
     return std::string_view(text_).substr(begin, at_ - begin);
   }
+  /// To the next word, on whatever line.
+  void to_word() {
+    while (at_ < text_.size() && is_blank(text_[at_]))
+      if (text_[at_++] == '\n') ++line_;
+  }
+  /// Whether no word is left on this line.
+  [[nodiscard]] bool is_line_done() const {
+    const std::size_t next = text_.find_first_not_of(" \t\r", at_);
+    return next == std::string::npos || text_[next] == '\n';
+  }
   /// The rest of this line, trimmed.
   std::string_view rest() {
     while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t')) ++at_;

@@ -216,6 +216,25 @@ TEST_CASE("an ambient colour of 1 in an MTL file is what exporters write of ever
   CHECK(materials->at(1).material.ambient == Rgbd(0.3));
 }
 
+TEST_CASE("of a PLY file the line that has too few or too many values is to blame, not where that shows") {
+  const auto ply = [](const std::string& from, const std::string& to) {
+    return parse_ply(replaced(square_ply, from, to), "bad");
+  };
+  const auto few = ply("1 0 0 0 0 1 1 0\n", "1 0 0 0 0 1 1\n");
+  check_error(few, 19, "vertex 1: its line has 7 values (expected 8, by the header)");
+  CHECK_THAT(few.error().hint, contains("up to line 22: face 0: "));
+  check_error(ply("1 0 0 0 0 1 1 0\n", "1 0 0 0 0 1 1 0 0\n"), 19, "vertex 1: its line has more than 8 values");
+  check_error(ply("1 0 0 0 0 1 1 0\n", "1 0 0 0 0 1 1 O\n"), 19, "vertex 1: t: \"O\" is no finite number");
+  check_error(ply("1 2 0 0 0 1 1 1\n", ""), 21, "vertex 3: its line has 6 values (expected 8, by the header)");
+  // Lines may be broken anywhere as long as all is there.
+  const auto broken = ply("1 0 0 0 0 1 1 0\n1 2 0 0", "1 0\n0 0 0 1 1 0 1\n\n 2 0 0");
+  REQUIRE(broken);
+  CHECK(*broken->mesh == *parse_ply(square_ply, "square.ply")->mesh);
+  const auto none = parse_ply(
+      "ply\nformat ascii 1.0\nelement face 1\nproperty list int int vertex_index\nend_header\n3 0 1 2\n", "bad");
+  check_error(none, 6, "names vertex 0 (expected \"element vertex COUNT\" in the header, for there are none)");
+}
+
 TEST_CASE("what is wrong with a mesh file is told with its place") {
   const auto ply = [](const std::string& from, const std::string& to) {
     return parse_ply(replaced(square_ply, from, to), "bad");
@@ -226,17 +245,30 @@ TEST_CASE("what is wrong with a mesh file is told with its place") {
   check_error(ply("face 1", "face -1"), 13, "without a count");
   check_error(ply("float z", "half z"), 7, "unknown type \"half\"");
   check_error(ply("float z", "float q"), 18, "(expected the properties x, y and z)");
-  check_error(ply("1 2 0 0 0", "1 nan 0 0 0"), 20, "\"nan\" is no finite number");
-  check_error(ply("4 0 1 2 3", "4 0 1 2 4"), 0, "names vertex 4 (expected 0 to 3)");
+  check_error(ply("1 2 0 0 0", "1 nan 0 0 0"), 20, "vertex 2: y: \"nan\" is no finite number");
+  check_error(ply("1 2 0 0 0", "1 2e15 0 0 0"), 20, "vertex 2: y is 2e+15 (expected a finite number, at most 1e+15)");
+  check_error(ply("4 0 1 2 3", "4 0 1 2 4"), 22, "face 0: it names vertex 4 (expected a whole number from 0 to 3)");
   check_error(ply("4 0 1 2 3", "4 0 1 2 -3"), 22, "names vertex -3");
-  check_error(ply("4 0 1 2 3", "2 0 1 "), 22, "a face of 2 corners");
-  check_error(ply("4 0 1 2 3 255", "4 0 1"), 23, "ends too early");
+  check_error(ply("4 0 1 2 3", "2 0 1 "), 22, "face 0: it has 2 corners");
+  check_error(ply("4 0 1 2 3 255", "4 0 1"), 22, "face 0: its line has 3 values (expected more, by the header)");
   check_error(ply("4 0 1 2 3", "99999 0 1 2 3"), 22, "which the file cannot hold");
   check_error(ply("end_header", "end"), 17, "unknown word \"end\"");
   check_error(ply("element face 1", "element vertex 0\nelement face 1"), 13, "the element \"vertex\" twice");
-  check_error(parse_ply(binary_ply(false, 3, 3), "bad"), 0, "names vertex 3");
+  for (const bool big : {false, true})
+    check_error(parse_ply(binary_ply(big, 3, 3), "bad"), 0,
+                fmt::format("face 0: it names vertex 3 (expected a whole number from 0 to 2) at byte {}",
+                            binary_ply(big).size() - 4));
+  std::string spoilt = binary_ply(false);
+  spoilt.replace(spoilt.size() - 16 - 17, 8, std::string(6, '\0') + "\xf0\x7f");
+  check_error(
+      parse_ply(spoilt, "bad"), 0,
+      fmt::format("vertex 2: x is inf (expected a finite number, at most 1e+15) at byte {}", spoilt.size() - 33));
   check_error(parse_ply(binary_ply(true, 1000000000), "bad"), 0, "more than the file can hold at byte");
-  check_error(parse_ply(binary_ply(true).substr(0, 260), "bad"), 0, "at byte");
+  const std::string whole = binary_ply(true);
+  check_error(parse_ply(whole.substr(0, whole.size() - 1), "bad"), 0, "which the file cannot hold at byte");
+  check_error(
+      parse_ply(whole.substr(0, whole.size() - 19), "bad"), 0,
+      fmt::format("vertex 2: extra: the file ends too early (expected 1 more byte) at byte {}", whole.size() - 19));
   const auto obj = [](const std::string& text) { return parse_obj(text, "bad"); };
   check_error(obj("v 0 0 0\nv 1 0 0\nv 0 1\n"), 3, "a number is missing");
   check_error(obj("v 0 0 1e999\n"), 1, "no finite number");
