@@ -190,9 +190,7 @@ Error syntax_error(const toml::parse_error& error, const std::string& file) {
                  : "a line is KEY = VALUE, [TABLE] or a # comment; text stands in \"quotes\", lists in [brackets]"};
 }
 
-}  // namespace
-
-Result<SceneDocument> parse_scene(std::string_view text, const std::string& file_name, MeshReading meshes) {
+Result<SceneDocument> parse_toml(std::string_view text, const std::string& file_name, ReadLog& log) {
   if (text.size() > max_scene_bytes)
     return tl::unexpected(
         Error{file_name, 0, 0,
@@ -206,7 +204,6 @@ Result<SceneDocument> parse_scene(std::string_view text, const std::string& file
   schema::SceneFile file;
   Scene& scene = file.scene;
   scene.camera.screen.width.reset();  // given by the file, or computed from the angle
-  ReadLog log(file_name, meshes == MeshReading::read);
   SceneReader reader(root, log, "");
   schema::describe(reader, file);
   reader.finish();
@@ -222,6 +219,13 @@ Result<SceneDocument> parse_scene(std::string_view text, const std::string& file
   document.ink = std::move(file.ink);
   document.keeps_ink = !document.ink.empty();
   return document;
+}
+
+}  // namespace
+
+Result<SceneDocument> parse_scene(std::string_view text, const std::string& file_name, MeshReading meshes) {
+  ReadLog log(file_name, meshes == MeshReading::read);
+  return parse_toml(text, file_name, log);
 }
 
 SceneFormat scene_format_of(std::string_view path) {
@@ -248,21 +252,6 @@ std::string why_toml() {
   return "; it is read as TOML, for its name has none of the endings " + endings;
 }
 
-/// Of a picture that cannot be read, at the first place of the scene that names it.
-Error where_it_is_named(Error why, const std::string& text, const std::string& path, const std::string& folder) {
-  const std::string name = why.file.starts_with(folder) ? why.file.substr(folder.size()) : why.file;
-  const std::size_t at = text.find('"' + name + '"');
-  if (at == std::string::npos) return why;
-  const std::string before = text.substr(0, at);
-  const auto line = before.begin() + static_cast<std::ptrdiff_t>(before.rfind('\n') + 1);
-  why.file = path;
-  why.line = static_cast<int>(std::count(before.begin(), before.end(), '\n')) + 1;
-  // In characters: of UTF-8 without the bytes that continue one.
-  why.column = static_cast<int>(std::count_if(line, before.end(), [](char c) { return (c & '\xc0') != '\x80'; })) + 1;
-  why.message = "file " + toml_text::quoted(name) + ": " + why.message;
-  return why;
-}
-
 Result<SceneDocument> read_format(const std::string& path, SceneFormat format) {
   if (is_mesh(format)) return scene_of_mesh(path);
   auto text = read_file(path, format == SceneFormat::toml ? max_scene_bytes : max_foreign_bytes);
@@ -271,12 +260,13 @@ Result<SceneDocument> read_format(const std::string& path, SceneFormat format) {
   if (const auto plain = make_plain_text(*text, path); !plain) return tl::unexpected(plain.error());
   switch (format) {
     case SceneFormat::toml: {
-      auto document = parse_scene(*text, path);
+      ReadLog log(path, true);
+      auto document = parse_toml(*text, path, log);
       if (!document) return document;
       if (marked) document->text.insert(0, utf8_mark);  // preserved when written
       const std::string folder = path.substr(0, path.find_last_of('/') + 1);
       if (const auto loaded = load_textures(document->scene, folder); !loaded)
-        return tl::unexpected(where_it_is_named(loaded.error(), *text, path, folder));
+        return tl::unexpected(log.where_named(loaded.error()));
       return document;
     }
     case SceneFormat::nff:

@@ -64,6 +64,18 @@ void ReadLog::claim_name(const std::string& name, const toml::source_region& whe
          "every object and light needs a different name");
 }
 
+void ReadLog::claim_file(const std::string& name, const toml::source_region& where) {
+  files_.emplace(std::filesystem::path(path_beside(file_, name)).lexically_normal(), Named{name, where.begin});
+}
+
+Error ReadLog::where_named(Error error) const {
+  const auto found = files_.find(std::filesystem::path(error.file).lexically_normal());
+  if (found == files_.end()) return error;
+  const auto& [name, at] = found->second;
+  return {file_, static_cast<int>(at.line), static_cast<int>(at.column),
+          fmt::format("file {}: {}", toml_text::quoted(name), error.message), std::move(error.hint)};
+}
+
 // --- SceneReader: what all keys share
 
 const toml::node* SceneReader::take(std::string_view key) {
@@ -224,6 +236,7 @@ bool SceneReader::read(const toml::node& node, std::string_view key, const schem
   if (text != nullptr && !text->get().empty() && text->get().size() <= longest_file &&
       text->get().find('\0') == std::string::npos) {
     value = text->get();
+    log_.claim_file(value, node.source());
     return true;
   }
   fail_type(node, key, kind.expected(), kind.hint);

@@ -6,6 +6,7 @@
 #include "scene/schema.h"
 #include "text/toml.h"
 
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <optional>
@@ -26,6 +27,10 @@ class ReadLog {
   void warn(const toml::source_region& where, const std::string& message);
   /// An error when an object or light already has this name.
   void claim_name(const std::string& name, const toml::source_region& where);
+  /// Remembers where the scene names a file first.
+  void claim_file(const std::string& name, const toml::source_region& where);
+  /// An error of such a file, at that place; any other as it is.
+  [[nodiscard]] Error where_named(Error error) const;
 
   /// A mesh file, relative to the scene's; read once. Null (and an error) if it cannot be read; null too if meshes are
   /// not read.
@@ -43,6 +48,11 @@ class ReadLog {
   std::optional<Error> error_;
   std::vector<std::string> warnings_;
   std::map<std::string, toml::source_index> names_;  ///< with the line of each
+  struct Named {
+    std::string name;
+    toml::source_position at;
+  };
+  std::map<std::filesystem::path, Named> files_;  ///< by path
   bool reads_meshes_;
   std::map<std::string, MeshFile> meshes_;  ///< by file
   std::map<std::string, std::shared_ptr<const GroupContent>> groups_;

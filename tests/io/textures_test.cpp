@@ -33,6 +33,12 @@ TEST_CASE("a scene finds its texture from its own folder") {
   REQUIRE_FALSE(missing);
   CHECK_THAT(missing.error().text(), contains("scene.toml:11:8: file \"pictures/wood.png\": cannot read"));
   CHECK_THAT(missing.error().hint, contains("the texture of \"Ball\""));
+  // However it is written, and not where other words are the same.
+  std::string quoted = scene_text;
+  for (const std::size_t at : {quoted.find("\"pictures"), quoted.find("\"\nwidth")}) quoted[at] = '\'';
+  put(path, "title = \"pictures/wood.png\"\n" + quoted);
+  CHECK_THAT(read_scene(path).error().text(), contains("scene.toml:12:8: file \"pictures/wood.png\": cannot read"));
+  put(path, scene_text);
   std::filesystem::create_directory(folder.file("pictures"));
   REQUIRE(write_image(folder.file("pictures/wood.png"), gradient()));
   const auto document = read_scene(path);
