@@ -298,6 +298,12 @@ Result<SceneDocument> read_scene(const std::string& path) {
     if (error.line > 0 && !has_scene_ending(path)) error.hint += why_toml();
     return document;
   }
+  const Scene& scene = document->scene;
+  if (scene.objects.empty() && !scene.sky)
+    document->warnings.push_back(
+        path + ": warning: there is no object in this scene: a picture of it shows only the background; " +
+        (scene_format_of(path) == SceneFormat::toml ? "add an [[object]], which `raywalk info --keys object` explains"
+                                                    : "is the file cut short?"));
   document->path = path;
   document->files = ledger.files_read();
   return document;

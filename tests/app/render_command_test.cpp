@@ -172,6 +172,24 @@ TEST_CASE("an option that can do nothing is said, and the picture is the same wi
   CHECK_THAT(folder.run({"render", "--help"}).out, contains("the first 16 always"));
 }
 
+TEST_CASE("a render of no object says so, and writes the picture") {
+  const Folder folder;
+  const std::string camera = "[camera]\neye = [0, 0]\nlook_at = [1, 0]\nfov = 45\n";
+  folder.write("empty.toml", camera);
+  folder.write("sky.toml", camera + "[sky]\ntype = \"clear\"\nsun = [1, 0, 1]\n");
+  folder.write("empty.nff", "v\nfrom 0 0 0\nat 1 0 0\nup 0 0 1\nangle 45\nhither 1\nresolution 4 3\n");
+  const Outcome loud = folder.run({"render", "empty.toml", "-o", "a.png", "--size", "4x3"});
+  CHECK(loud.exit_code == 0);
+  CHECK_THAT(loud.err, Catch::StartsWith("empty.toml: warning: there is no object in this scene") &&
+                           contains("; add an [[object]]"));
+  CHECK(folder.holds("a.png"));
+  const Outcome foreign = folder.run({"render", "empty.nff", "-o", "b.png"});
+  CHECK_THAT(foreign.err, contains("there is no object in this scene") && contains("cut short?"));
+  CHECK(folder.holds("b.png"));
+  CHECK(folder.run({"render", "empty.toml", "-o", "c.png", "--size", "4x3", "--quiet"}).err.empty());
+  CHECK_THAT(folder.run({"render", "sky.toml", "-o", "d.png", "--size", "4x3"}).err, !contains("no object"));
+}
+
 TEST_CASE("a quiet render keeps the scene's warnings to itself, but not what went wrong") {
   const Folder folder;
   const std::string whitted = std::string(RAYWALK_SOURCE_DIR) + "/scenes/whitted.toml";
