@@ -49,7 +49,8 @@ void declare_convert(CLI::App& program, Run& run) {
   const auto ending = [](const std::string& path) {
     const std::string is = ending_of(path);
     if (is == ".toml" || is == ".pov") return std::string();
-    return path + ": no scene is written as \"" + is + "\" (expected .toml or .pov)";
+    return path + (is.empty() ? ": the file name has no ending" : ": no scene is written as \"" + is + "\"") +
+           " (expected .toml or .pov)";
   };
   add_file(command, "OUT", files->out, "", "The scene: .toml (Raywalk's own) or .pov (POV-Ray 3.7)")
       ->required()

@@ -225,10 +225,11 @@ ExitCode print_keys(const std::string& name) {
   std::vector<KeyTable> tables = key_tables();
   if (name.empty()) return print_or_fail(reference_text(tables));
   std::vector<std::string_view> names;
-  for (const KeyTable& table : tables) names.push_back(table.name);
+  for (const KeyTable& table : tables)  // a kind of table has an entry for each of its places
+    if (std::find(names.begin(), names.end(), table.name) == names.end()) names.push_back(table.name);
   const std::string nearest = nearest_word(name, names);
   Error unknown{"", 0, 0, fmt::format("there are no keys of \"{}\" (expected {})", name, one_of(names)),
-                nearest.empty() ? "" : "did you mean " + nearest + "?"};
+                nearest.empty() ? "raywalk info --keys explains them all" : "did you mean " + nearest + "?"};
   std::erase_if(tables, [&](const KeyTable& table) { return table.name != name; });
   return tables.empty() ? refuse(unknown) : print_or_fail(reference_text(tables));
 }

@@ -26,6 +26,9 @@ Result<std::string> folder_of(const std::string& name, const std::vector<std::st
   for (const std::string& each : known)
     if (each == name || each.starts_with(padded + "-")) return lessons_dir() + "/" + each;
   std::error_code failed;
+  if (std::filesystem::is_regular_file(name, failed))
+    return tl::unexpected(Error{name, 0, 0, "this is a file (expected the folder of a lesson)",
+                                "name the folder in which lesson.toml stands"});
   if (name.find('/') != std::string::npos || std::filesystem::is_directory(name, failed)) return name;
   const std::string meant = nearest_word(name, {known.begin(), known.end()});
   return tl::unexpected(Error{"", 0, 0,

@@ -259,7 +259,7 @@ void declare_window(CLI::App& program, FileLedger& ledger, Run& run) {
              fmt::format("a number from {} to {}", min_ui_scale, max_ui_scale),
              "How large letters and buttons are; left out: as it was left");
   hide(add_file(program, "--report", to.report_path, "FILE", ""));
-  add_parsed(program, "--window", asked->window, parse_size, "WxH", "such as 1280x720",
+  add_parsed(program, "--window", asked->window, parse_size, "WxH", "two whole numbers, such as 1280x720",
              "The window's size; left out: 1280x720");
   program.callback([asked, demo_help_wanted, &program, &ledger, &run] {
     if (program.get_subcommands().empty() && demo_help_wanted->count() > 0) {
@@ -316,16 +316,46 @@ bool has_extras(const CLI::App& program, const CLI::ParseError& error) {
   return dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr || (lacks && program.remaining_size(true) > 0);
 }
 
+/// The commands of a command, "list, check or script"; empty when it has none.
+std::string commands_of(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::App* sub : command.get_subcommands({})) names.push_back(sub->get_name());
+  return names.empty() ? "" : one_of({names.begin(), names.end()});
+}
+
+/// Whether the command that was chosen needs a command of its own.
+bool lacks_command(const CLI::App& program, const CLI::ParseError& error) {
+  return dynamic_cast<const CLI::RequiredError*>(&error) != nullptr &&
+         chosen_command(program).get_require_subcommand_min() > 0;
+}
+
+/// The first example of a command's help; empty when it has none.
+std::string example_of(const CLI::App& command) {
+  const std::string help = command.get_footer(), start = "\n  raywalk ";
+  const std::size_t at = help.find(start, std::min(help.find("Example"), help.size()));
+  return at == std::string::npos ? "" : help.substr(at + 3, help.find('\n', at + 1) - at - 3);
+}
+
 /// CLI11's message, improved where it is hard to read: for an option given twice it counts the values, and it lists
 /// unexpected words in reverse.
 std::string what_is_wrong(const CLI::App& program, const CLI::ParseError& error) {
   if (const CLI::Option* option = repeated_option(program, error))
     return name_of(*option) + " is given " +
            (option->count() == 2 ? "twice" : std::to_string(option->count()) + " times");
-  if (!has_extras(program, error)) return error.what();
+  if (!has_extras(program, error)) {
+    if (lacks_command(program, error))
+      return "a command is missing (expected " + commands_of(chosen_command(program)) + ")";
+    // "--output: 1 required IMAGE missing"
+    const std::string what = error.what();
+    const std::size_t name = what.find(": 1 required "), end = what.rfind(" missing");
+    if (name == std::string::npos || end == std::string::npos) return what;
+    return fmt::format("{0} lacks its value (expected {0} {1})", what.substr(0, name),
+                       what.substr(name + 13, end - name - 13));
+  }
   std::string text = "not expected:";
   for (const std::string& word : program.remaining(true)) text += " " + word;
-  return text;
+  const std::string commands = commands_of(chosen_command(program));
+  return text + (commands.empty() || &chosen_command(program) == &program ? "" : " (expected " + commands + ")");
 }
 
 /// An unexpected word of the command line is most likely misspelt.
@@ -346,6 +376,8 @@ std::string hint_for(const CLI::App& program, const CLI::ParseError& error) {
       if (!meant.empty()) return fmt::format("did you mean {} for {}?", meant, word);
     }
   }
+  const bool lacks = dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
+  if (const std::string example = example_of(command); lacks && !example.empty()) return "such as " + example;
   return command_name(program) + " --help says what there is";
 }
 
@@ -361,8 +393,15 @@ std::string typed(const std::string& word) {
   return text + "'";
 }
 
+/// A command line for a hint.
+std::string line_of(const std::vector<std::string>& words) {
+  std::string line = "raywalk";
+  for (const std::string& word : words) line += " " + typed(word);
+  return line;
+}
+
 /// "raywalk classic step": the scene before the command.
-std::optional<Error> why_misplaced(const CLI::App& program, std::vector<std::string> words) {
+std::optional<Error> why_scene_misplaced(const CLI::App& program, std::vector<std::string> words) {
   const auto chosen = program.get_subcommands();
   const CLI::Option* scene = program.get_option_no_throw("SCENE");
   if (chosen.empty() || scene == nullptr || scene->count() == 0 || chosen.back()->count() > 1) return std::nullopt;
@@ -371,11 +410,38 @@ std::optional<Error> why_misplaced(const CLI::App& program, std::vector<std::str
   const std::string command = chosen.back()->get_name(), given = scene->results().front();
   for (const std::string& placed : {given, command})
     if (const auto found = std::find(words.begin(), words.end(), placed); found != words.end()) words.erase(found);
-  std::string rest;
-  for (const std::string& word : words) rest += " " + typed(word);
+  words.insert(words.begin(), {command, given});
   return Error{"", 0, 0,
                fmt::format("raywalk: the command {} comes after the scene {}; it has to come first", command, given),
-               fmt::format("raywalk {} {}{}", command, typed(given), rest)};
+               line_of(words)};
+}
+
+/// "raywalk -o classic.png render classic": an option before its command.
+std::optional<Error> why_option_misplaced(const CLI::App& program, const std::vector<std::string>& words) {
+  std::vector<std::string> commands, before, after;
+  auto at = words.begin();
+  for (const CLI::App* command = &program; !command->get_subcommands().empty();) {
+    command = command->get_subcommands().back();
+    const auto found = std::find(at, words.end(), command->get_name());
+    if (found == words.end()) return std::nullopt;
+    before.insert(before.end(), at, found);
+    commands.push_back(*found);
+    at = found + 1;
+  }
+  const auto is_its_own = [&](const std::string& word) {
+    return word.size() > 1 && word[0] == '-' &&
+           chosen_command(program).get_option_no_throw(word.substr(0, word.find('='))) != nullptr;
+  };
+  const auto misplaced = std::find_if(before.begin(), before.end(), is_its_own);
+  if (misplaced == before.end()) return std::nullopt;
+  const std::string command = command_name(program);
+  std::vector<std::string> right = commands;
+  right.insert(right.end(), at, words.end());
+  right.insert(right.end(), before.begin(), before.end());
+  return Error{"", 0, 0,
+               fmt::format("{}: {} stands before the command (expected the options of a command after its name)",
+                           command, *misplaced),
+               line_of(right)};
 }
 
 ExitCode parse_and_run(int argc, const char* const* argv) {
@@ -419,7 +485,8 @@ ExitCode parse_and_run(int argc, const char* const* argv) {
   } catch (const RefusedValue& refused) {
     return refuse({"", 0, 0, command_name(program) + ": " + refused.what(), refused.hint});
   } catch (const CLI::ParseError& error) {
-    if (const auto misplaced = why_misplaced(program, words)) return refuse(*misplaced);
+    if (const auto misplaced = why_option_misplaced(program, words)) return refuse(*misplaced);
+    if (const auto misplaced = why_scene_misplaced(program, words)) return refuse(*misplaced);
     return refuse({"", 0, 0, command_name(program) + ": " + what_is_wrong(program, error), hint_for(program, error)});
   }
   const ExitCode code = run();
