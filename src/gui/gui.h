@@ -3,6 +3,7 @@
 #include "text/error.h"
 #include "text/file_ledger.h"
 #include "text/language.h"
+#include "view/drawing/theme.h"
 
 #include <memory>
 #include <optional>
@@ -32,7 +33,7 @@ struct GuiOptions {
   std::string start_tab;              ///< "image", "tree", "stack" or "legend"; empty: image. --start-tab
   std::optional<int> start_position;  ///< position on the timeline; negative: counted from the end. --start-position
   std::optional<Language> language;   ///< absent: from the settings, else the environment. --language
-  std::string theme;                  ///< "dark" or "projector"; empty: from the settings. --theme
+  std::optional<Theme> theme;         ///< absent: from the settings. --theme
   double ui_scale = 0;                ///< 1 to 3, times the display's own scale; 0: from the settings. --ui-scale
   int width = 0, height = 0;          ///< of the window in screen coordinates; 0: 1280 x 720. --window WxH
 

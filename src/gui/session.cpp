@@ -172,8 +172,7 @@ Result<State> start(const GuiOptions& options, const Stop& stop) {
 
   each_setting([&](const char*, auto member, auto in) { in(state) = settings.*member; });
   if (options.ui_scale > 0) state.appearance.ui_scale = std::clamp(options.ui_scale, min_ui_scale, max_ui_scale);
-  if (Result<void> chosen = choose(options.theme, "theme", state.appearance.theme); !chosen)
-    return tl::unexpected(chosen.error());
+  state.appearance.theme = options.theme.value_or(state.appearance.theme);
   if (Result<void> chosen = choose(options.start_tab, "tab", state.appearance.tab); !chosen)
     return tl::unexpected(chosen.error());
   state.appearance.embedded = options.embedded;

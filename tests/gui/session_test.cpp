@@ -45,7 +45,7 @@ TEST_CASE("options choose mode, tab, theme, scale and position") {
   GuiOptions wanted = options(folder);
   wanted.start_mode = "trace";
   wanted.start_tab = "stack";
-  wanted.theme = "projector";
+  wanted.theme = Theme::projector;
   wanted.ui_scale = 1.5;
   wanted.start_position = 12;
   const auto state = start(wanted);
@@ -72,14 +72,11 @@ TEST_CASE("options choose mode, tab, theme, scale and position") {
 TEST_CASE("what no option can be is refused with what it can be") {
   const Folder folder;
   GuiOptions wanted = options(folder);
-  wanted.theme = "purple";
+  wanted.start_mode = "fly";
   const auto state = start(wanted);
   REQUIRE_FALSE(state.has_value());
-  CHECK_THAT(state.error().text(), contains("purple"));
-  CHECK_THAT(state.error().text(), contains("projector"));
-  wanted = options(folder);
-  wanted.start_mode = "fly";
-  CHECK_FALSE(start(wanted).has_value());
+  CHECK_THAT(state.error().text(), contains("fly"));
+  CHECK_THAT(state.error().text(), contains("trace"));
   wanted = options(folder);
   wanted.start_tab = "nothing";
   CHECK_FALSE(start(wanted).has_value());
@@ -111,7 +108,7 @@ TEST_CASE("settings are kept; broken ones are as good as none") {
   CHECK(start(wanted)->appearance.english_code);
   CHECK(start(wanted)->appearance.exchanges());
   CHECK(start(wanted)->lessons.presenter);
-  wanted.theme = "dark";
+  wanted.theme = Theme::dark;
   CHECK(start(wanted)->appearance.theme == Theme::dark);
   for (const std::string text : {"", "{", "[1, 2]", R"({"theme": 7, "ui_scale": "large", "tab": "x"})", "\xff\xfe"}) {
     std::ofstream(folder / "state/settings.json") << text;
