@@ -303,7 +303,8 @@ std::optional<Error> why_not_generated(const GenerateOptions& options, const std
   const bool known = ending == ".nff" || (is_mesh ? ending == ".ply" || ending == ".obj" : ending == ".toml");
   if (!known)
     return Error{path, 0, 0,
-                 fmt::format("\"{}\" is no ending for this (expected {})", ending,
+                 fmt::format("{} (expected {})",
+                             ending.empty() ? "the file name has no ending" : '"' + ending + "\" is no ending for this",
                              is_mesh ? ".ply, .obj or .nff" : ".nff or .toml"),
                  is_mesh ? "a scene takes a mesh in by its file" : ".nff is the shorter of the two"};
   if (ending == ".toml" && size_of(options) > max_in_toml)

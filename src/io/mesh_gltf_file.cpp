@@ -1,5 +1,6 @@
 #include "io/mesh_gltf.h"
 #include "text/file.h"
+#include "text/file_path.h"
 #include "text/text_file.h"
 
 #include <fmt/format.h>
@@ -243,6 +244,9 @@ Result<GltfFile> open_gltf(std::string bytes, const std::string& path) {
   if (bytes.empty()) return fail("the file is empty (expected a glTF 2.0 file)");
   constexpr std::string_view magic = "glTF";
   const bool is_binary = magic.starts_with(std::string_view(bytes).substr(0, magic.size()));
+  // Some programs write text under this ending, too.
+  if (!is_binary && ending_of(path) == ".glb" && bytes.find('\0') != std::string::npos)
+    return fail("the file does not begin with \"glTF\" (expected a binary glTF 2.0 file)");
   if (const auto plain = is_binary ? Result<void>() : make_plain_text(bytes, path); !plain)
     return tl::unexpected(plain.error());
   std::string_view text = bytes, binary;

@@ -150,6 +150,7 @@ TEST_CASE("wrong use exits with 2 and says what was expected") {
       {{"lesson", "script", "1", "-o", "one.pdf"}, "expected .html or .md"},
       {{"lesson", "script", "1", "-o", "-"}, "standard output is /dev/stdout"},
       {{"generate", "spheres", "-o", "-"}, "names no file (expected a name)\n"},
+      {{"generate", "spheres", "-o", "a"}, "a: the file name has no ending (expected .nff or .toml)\n"},
       {{"generate", "flake", "--count", "5", "-o", "a.nff"}, "--count does not go with flake\n"},
       {{"generate", "flake", "--seed", "5", "-o", "a.nff"}, "--seed does not go with flake\n"},
       {{"generate", "spheres", "--levels", "3", "-o", "a.nff"}, "--levels does not go with spheres\n"},

@@ -237,6 +237,9 @@ TEST_CASE("what is wrong with a glTF file is told") {
   const std::string good = gltf(plain_node, "");
   const auto changed = [&](const std::string& from, const std::string& to) { return glb(replaced(good, from, to)); };
   check_refused("", "the file is empty (expected a glTF 2.0 file)");
+  const auto no_text = parse_gltf(std::string("PK\3\4\0\0", 6), "a.glb");
+  REQUIRE_FALSE(no_text);
+  CHECK_THAT(no_text.error().text(), contains("a.glb: the file does not begin with \"glTF\" (expected a binary glTF"));
   check_refused("[]", "its JSON is a list (expected an object)");
   check_refused("\"a\"", "its JSON is \"a\" (expected an object)");
   check_refused("{}", "it has no version (expected \"asset\": {\"version\": \"2.0\"})");
