@@ -16,6 +16,8 @@ namespace {
 
 constexpr int hidden_alpha = 70;  // alpha of what is hidden
 
+float legend_button_height(const Ui& ui) { return ui.high(30); }
+
 std::string command_name(RayKind kind) { return "rays-" + std::string(name_of(kind)); }
 
 // A sample of a ray of this kind, with its arrowhead, from (x, y) to the right.
@@ -55,12 +57,12 @@ void LegendRoom::draw_tab(const Ui& ui, const Rect& where, TabContext&) {
   for (const Command* each : commands_in(Section::earlier))
     buttons += button_width(ui, *each, {.look = Look::choice, .icon = Icon::none, .font = ui.fonts.small});
   const bool in_line = words + buttons <= room;
-  if (in_line) ImGui::SetCursorPosY(ImGui::GetCursorPosY() + (ui.high(30) - ImGui::GetFontSize()) / 2);
   const ImVec2 begun = ImGui::GetCursorScreenPos();
+  if (in_line) ImGui::SetCursorScreenPos({begun.x, begun.y + (legend_button_height(ui) - ImGui::GetFontSize()) / 2});
   label(ui.colours.text, earlier);
-  if (in_line) ImGui::SetCursorScreenPos({begun.x + words, begun.y - (ui.high(30) - ImGui::GetFontSize()) / 2});
+  if (in_line) ImGui::SetCursorScreenPos({begun.x + words, begun.y});
   pop_font();
-  choice(ui, commands_in(Section::earlier), ui.high(30), ui.fonts.small, in_line ? room - words : room);
+  choice(ui, commands_in(Section::earlier), legend_button_height(ui), ui.fonts.small, in_line ? room - words : room);
   ImGui::Spacing();
   for (const LegendRow& row : content.rays) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -118,14 +120,13 @@ class LegendLines {
       look.icon = button_is == Button::icon ? Icon::pixel : Icon::none;
       look.label = button_is != Button::icon;
       words = command_label(command("only-pixel"), ui.state, button_is != Button::in_full);
-      button = look.label ? button_width(ui, words, look) : button_height();
+      button = look.label ? button_width(ui, words, look) : legend_button_height(ui);
       if (fits(width - button - ui.px(left + 4 + 8), width < ui.px(640))) break;
     }
     pop_font();
   }
 
   [[nodiscard]] float line() const { return line_height(ui_.fonts, *ui_.fonts.small) + ui_.px(2); }
-  [[nodiscard]] float button_height() const { return ui_.high(30); }
 
   static constexpr float left = 14;  // the margin, at scale 1
   const std::vector<LegendRow>& rays;
@@ -210,7 +211,7 @@ void legend_pane(const Ui& ui, const Rect& where) {
     row_button(ui, row, {left, y - (line - height) / 2, x + words - left, line});
     x += std::max(lines.aligned, words) + lines.between;
   }
-  const float button_height = std::min(lines.button_height(), where.height);
+  const float button_height = std::min(legend_button_height(ui), where.height);
   const Command& only = command("only-pixel");
   ButtonLook look = lines.look;
   if (chosen(only, ui.state)) look.look = Look::choice;

@@ -68,8 +68,7 @@ bool wide_button(const Ui& ui, const std::string& name, const std::string& text,
   const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, width - 2 * pad);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float height = std::max(size.y + ui.px(12), ui.finger);
-  // What a finger presses shows less than that: neighbours then need no gap.
-  const float inset = ui.finger > 0 ? ui.px(3) : 0, y = at.y + inset, bottom = at.y + height - inset;
+  const float inset = ui.unseen(height), y = at.y + inset, bottom = at.y + height - inset;
   const bool pressed = ImGui::InvisibleButton(name.c_str(), {width, height}) && enabled;
   ui.publish(name);
   const Shades shades(ui.state.appearance.theme);

@@ -107,6 +107,8 @@ struct Ui {
   [[nodiscard]] ImVec2 padding(float x, float y) const { return {std::round(px(x)), std::round(px(y))}; }
   /// A height of what is pressed: so many units, and where a finger presses as many as that needs.
   [[nodiscard]] float high(float units) const { return std::max(px(units), finger); }
+  /// What a finger presses, so high, shows less than that above and below: neighbours then need no gap.
+  [[nodiscard]] float unseen(float height) const { return finger > 0 && height > finger - 1 ? px(3) : 0; }
   /// Notes the rectangle of ImGui's last item.
   void publish(std::string_view name) const;
   void publish(std::string_view name, const Rect& where) const;

@@ -39,9 +39,6 @@ Colour ground_of(const Shades& shades, Look look, bool is_chosen, bool hovered, 
   return of(shades.raised.with_alpha(0), shades.raised_hovered, shades.raised_held);
 }
 
-// What a finger presses, so high, shows less than that above and below.
-float unseen(const Ui& ui, float height) { return ui.finger > 0 && height > ui.finger - 1 ? ui.px(4) : 0; }
-
 std::string hint_of(const Command& command, Language language) {
   const std::string key = command_key(command, language);
   const std::string hint = capitalised(command_hint(command, language));
@@ -228,7 +225,7 @@ bool button(const Ui& ui, std::string_view name, const std::string& label, const
   if (!is_enabled) ImGui::BeginDisabled();
   const bool pressed = ImGui::InvisibleButton(std::string(name).c_str(), size);
   const bool hovered = ImGui::IsItemHovered(), held = ImGui::IsItemActive();
-  const float inset = unseen(ui, size.y);
+  const float inset = ui.unseen(size.y);
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   const ImVec2 least{low.x, low.y + inset}, most{high.x, high.y - inset};
   ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -297,7 +294,7 @@ void choice(const Ui& ui, const std::vector<const Command*>& commands, float hei
   if (less > ui.px(20) && font != ui.fonts.small) return choice(ui, commands, height, ui.fonts.small, max_width);
   width = std::min(width, max_width);
   const ImVec2 least = ImGui::GetCursorScreenPos();
-  const float inset = unseen(ui, height);
+  const float inset = ui.unseen(height);
   ImGui::GetWindowDrawList()->AddRectFilled({least.x, least.y + inset}, {least.x + width, least.y + height - inset},
                                             to_imgui(shades.raised), ImGui::GetStyle().FrameRounding);
   float x = least.x;
@@ -373,7 +370,7 @@ void choice_in_lines(const Ui& ui, const std::vector<const Command*>& commands, 
   const auto broken = choice_lines(ui, commands, line_height, look, width);
   if (!broken) return choice(ui, commands, line_height, font, width);
   const ImVec2 least = ImGui::GetCursorScreenPos();
-  const float height = broken->height(), low = broken->line_height, inset = unseen(ui, low);
+  const float height = broken->height(), low = broken->line_height, inset = ui.unseen(low);
   ImGui::GetWindowDrawList()->AddRectFilled({least.x, least.y + inset}, {least.x + width, least.y + height - inset},
                                             to_imgui(Shades(ui.state.appearance.theme).raised),
                                             ImGui::GetStyle().FrameRounding);
