@@ -22,7 +22,7 @@ std::vector<std::string> object_names(const Ui& ui) {
 
 void BreakpointsPopup::draw(const Ui& ui, const Rect& code, bool open) {
   if (open) ImGui::OpenPopup("breakpoints");
-  const float width = ui.px(330);
+  const float width = FormPopup::width(ui, 330);
   // Beside the code, so that the lines can be seen, but not out of the window.
   ImGui::SetNextWindowPos({std::max(code.x - ui.px(8), width + ui.px(30)), code.y + ui.px(8)}, ImGuiCond_Appearing,
                           {1, 0});
@@ -51,7 +51,7 @@ void BreakpointsPopup::draw(const Ui& ui, const Rect& code, bool open) {
   if (changed) ui.act(next);
 
   const ButtonLook look{.look = Look::plain, .icon = Icon::none, .font = ui.fonts.small, .label = true};
-  const ImVec2 extent{(width - ui.px(12)) / 3, ui.px(32)};
+  const ImVec2 extent{(width - ui.px(12)) / 3, ui.high(32)};
   command_button(ui, command("run-back"), extent, look);
   ImGui::SameLine();
   command_button(ui, command("run-on"), extent, look);

@@ -268,6 +268,7 @@ void Browser::draw(const Ui& ui, const std::string& home, GalleryPictures* pictu
   const std::string id = title + "###browser";
   if (!ImGui::IsPopupOpen(id.c_str())) ImGui::OpenPopup(id.c_str());
   if (!ImGui::BeginPopupModal(id.c_str(), nullptr, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize)) return;
+  std::optional<FingerFields> fields(ui);
   const float line = ImGui::GetFrameHeight(), gap = ImGui::GetStyle().ItemSpacing.y;
   if (!saves) pages(ui);
   const bool lists = saves || page_ == Page::files;
@@ -329,6 +330,7 @@ void Browser::draw(const Ui& ui, const std::string& home, GalleryPictures* pictu
                                large, {.look = Look::primary}, false, !typed_.empty());
   if (accepted || entered) accept(ui);
   if (cancelled) ui.act(action::CancelPrompt{});
+  fields.reset();
   ImGui::EndPopup();
 }
 

@@ -110,7 +110,8 @@ void draw_effects(const Ui& ui, const Rect& where, float top, const LiveCosts& c
 void cost_knobs_popup(const Ui& ui, FormMemory& memory) {
   const FormPopup popup(ui, "cost-knobs");
   if (!popup) return;
-  Form form(ui, memory, ui.px(390));
+  const float width = popup.width(ui, 390);
+  Form form(ui, memory, width);
   form.heading("cost.knobs");
   const study::Setup now = cost_knobs(ui.state);
   study::Setup next = now;
@@ -127,7 +128,7 @@ void cost_knobs_popup(const Ui& ui, FormMemory& memory) {
   if (!(next == now)) ui.act(action::SetCostKnobs{next});
   ImGui::Dummy({1, ui.px(2)});
   const ButtonLook look{.look = Look::primary, .icon = Icon::none, .font = ui.fonts.small, .label = true};
-  command_button(ui, command("cost-try"), {ui.px(390), ui.px(30)}, look);
+  command_button(ui, command("cost-try"), {width, ui.high(30)}, look);
 }
 
 namespace {
@@ -137,7 +138,7 @@ void cost_tab(const Ui& ui, const Rect& where, const PictureView& picture) {
   push_font(ui.fonts.small);
   const CostFindings findings = findings_of(picture.costs->bench());
 
-  ButtonRow row(ui, where, ui.px(28));
+  ButtonRow row(ui, where, ui.high(28));
   row.add(command("cost-page"));
   if (ui.state.cost.page == CostPage::effects) {
     draw_effects(ui, where, row.bottom() + ui.px(8), *picture.costs);

@@ -39,7 +39,7 @@ void question_dialog(const Ui& ui) {
   for (const QuestionPanel::Choice& choice : question.choices) {
     if (!first) ImGui::SameLine();
     const std::string name = "answer-" + std::to_string(number++);
-    const ImVec2 extent{(width - 2 * ui.px(24) - 2 * ImGui::GetStyle().ItemSpacing.x) / 3, ui.px(38)};
+    const ImVec2 extent{(width - 2 * ui.px(24) - 2 * ImGui::GetStyle().ItemSpacing.x) / 3, ui.high(38)};
     // The keys for this answer: see press_key.
     const std::string digit = std::to_string(number);
     const std::string keys = first                                     ? ui.say("keys.name_enter") + ", " + digit

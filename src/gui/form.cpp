@@ -63,7 +63,7 @@ float default_label_width(const Ui& ui, float width) { return std::min(ui.px(166
 }  // namespace
 
 Form::Form(const Ui& ui, FormMemory& memory, float width)
-    : ui_(ui), memory_(memory), width_(width), label_width_(default_label_width(ui, width)) {}
+    : ui_(ui), memory_(memory), width_(width), label_width_(default_label_width(ui, width)), fields_(ui) {}
 
 void Form::heading(const KeyLabel& of) {
   ImGui::Dummy({1, ui_.px(2)});
@@ -269,14 +269,13 @@ bool Form::colour(const KeyLabel& of, Rgbd& value, double most) {
 
 bool Form::flag(const KeyLabel& of, bool& value) {
   name_ = "property/" + of.words(ui_.state.appearance.language);
-  const bool now = ImGui::Checkbox(("##" + name_).c_str(), &value);
+  // Its words are a part of it, as everywhere.
+  ImGui::PushStyleColor(ImGuiCol_Text, to_imgui4(ui_.colours.dim_text));
+  const bool now = ImGui::Checkbox((of.words(ui_.state.appearance.language) + "##" + name_).c_str(), &value);
+  ImGui::PopStyleColor();
   ui_.publish(name_);
   const bool is_change = changed(now, "##" + name_);
   tooltip(ui_, name_, of.hint(ui_.state.appearance.language));
-  ImGui::SameLine();
-  label(ui_.colours.dim_text, of.words(ui_.state.appearance.language));
-  tooltip(ui_, name_ + "/label", of.hint(ui_.state.appearance.language));
-  ui_.publish(name_ + "/label");
   return is_change;
 }
 
@@ -288,6 +287,8 @@ bool Form::pick(const KeyLabel& of, const std::vector<std::string>& words, int& 
   ui_.publish(name_);
   if (!open) return false;
   bool now = false;
+  const ImVec2 apart = ImGui::GetStyle().ItemSpacing;
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {apart.x, std::max(apart.y, ui_.finger - ImGui::GetFontSize())});
   for (std::size_t i = 0; i < words.size(); ++i) {
     const bool clicked = ImGui::Selectable(words[i].c_str(), i == at);
     // ImGui takes Space alone.
@@ -299,6 +300,7 @@ bool Form::pick(const KeyLabel& of, const std::vector<std::string>& words, int& 
     }
     ui_.publish(name_ + "/" + words[i]);
   }
+  ImGui::PopStyleVar();
   ImGui::EndCombo();
   continues_ = false;
   return now;

@@ -71,6 +71,7 @@ class Form {
   std::string name_;  ///< of the row, for tests
   bool refused_in_row_ = false, reddened_ = false;
   bool focus_ = false, continues_ = false;
+  FingerFields fields_;
 };
 
 }  // namespace raywalk

@@ -155,6 +155,7 @@ PictureRooms with_tree(const Ui& ui, const Rect& room, const PictureView& pictur
 void image_tab(const Ui& ui, const Rect& where, TabContext& context) {
   const PictureView& picture = context.picture;
   const float line = line_height(ui.fonts, *ui.fonts.small), side = ui.px(12);
+  const float foot = std::max(line + ui.px(6), std::min(ui.finger, 0.2f * where.height));  // of the buttons
   push_font(ui.fonts.small);
   if (picture.texture == 0) {
     label(ui.colours.dim_text, ui.say("image.waiting"));
@@ -168,7 +169,7 @@ void image_tab(const Ui& ui, const Rect& where, TabContext& context) {
   }
   const Heat heat = ui.state.picture.settings.heat;
   const float legend = heat == Heat::none ? 0 : 2 * line + ui.px(6);
-  Rect room{where.x + side, where.y + ui.px(2), where.width - 2 * side, where.height - line - ui.px(10) - legend};
+  Rect room{where.x + side, where.y + ui.px(2), where.width - 2 * side, where.height - foot - ui.px(4) - legend};
   Rect image = fitted(room, picture.width, picture.height, ui.fonts.density);
   // As long as there are no rays, and so no tree, the picture has all the room.
   const bool walks =
@@ -225,11 +226,11 @@ void image_tab(const Ui& ui, const Rect& where, TabContext& context) {
   for (const Command* each : {&command("image-settings"), &command("tree-beside")}) {
     const float width = button_width(ui, *each, look);
     button += width;
-    ImGui::SetCursorScreenPos({where.right() - button, where.bottom() - line - ui.px(7)});
-    command_button(ui, *each, {width, line + ui.px(6)}, look);
+    ImGui::SetCursorScreenPos({where.right() - button, where.bottom() - foot - ui.px(1)});
+    command_button(ui, *each, {width, foot}, look);
   }
   const std::string status = status_of(ui, picture, has_row);
-  const float y = where.bottom() - line - ui.px(4);
+  const float y = where.bottom() - (foot + line) / 2 - ui.px(1);
   ImGui::SetCursorScreenPos({where.x + ui.px(4), y});
   label(ui.colours.dim_text, shortened(status, where.width - button - ui.px(8)));
   pop_font();
@@ -261,7 +262,8 @@ void light_ways(const Ui& ui, Form& form) {
 void image_settings(const Ui& ui, FormMemory& memory) {
   const FormPopup popup(ui, "image-settings");
   if (!popup) return;
-  Form form(ui, memory, ui.px(390));
+  const float width = popup.width(ui, 390);
+  Form form(ui, memory, width);
   form.heading("image.settings_title");
   const State& state = ui.state;
   ImageSettings next = state.picture.settings;
@@ -288,7 +290,7 @@ void image_settings(const Ui& ui, FormMemory& memory) {
 
   ImGui::Dummy({1, ui.px(2)});
   const ButtonLook look{.look = Look::plain, .icon = Icon::none, .font = ui.fonts.small, .label = true};
-  const ImVec2 extent{ui.px(390), ui.px(30)};
+  const ImVec2 extent{width, ui.high(30)};
   command_button(ui, command("reset-view"), extent, look);
   command_button(ui, command("use-camera"), extent, look);
 }

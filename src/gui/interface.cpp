@@ -139,11 +139,15 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   ImGui::PopStyleVar(4);
 
   const bool embedded = state.appearance.embedded;
-  LayoutWishes wishes{.width = io.DisplaySize.x, .height = io.DisplaySize.y, .unit = unit, .bare = embedded};
+  LayoutWishes wishes{.width = io.DisplaySize.x,
+                      .height = io.DisplaySize.y,
+                      .unit = unit,
+                      .bare = embedded,
+                      .touch = state.appearance.touch};
   wishes.code = code_height(with);
   wishes.code_part = static_cast<float>(state.appearance.code_part);
   wishes.code_width = code_width(with);
-  if (is_one_column(wishes)) with.finger = with.px(finger_height);
+  with.finger = finger_of(wishes);
   wishes.bar_width = bar_width(with);
   const bool helps = state.walk.mode == Mode::help;
   // A line that a lesson asks for is clicked in the code, and marked there with the answer.

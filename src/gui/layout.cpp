@@ -19,6 +19,12 @@ constexpr float grip = 8;           ///< what can be gripped between two panes, 
 
 float hairline(const LayoutWishes& wishes) { return std::max(std::round(wishes.unit), 1.0f); }  // between neighbours
 
+// As a telephone on its side.
+bool is_on_its_side(const LayoutWishes& wishes) {
+  return !is_upright(wishes.width, wishes.height) && wishes.height < low_window * wishes.unit &&
+         wishes.width < three_columns * wishes.unit;
+}
+
 // Lesson, plan, strip and transport between `top` and `bottom` and left of `right`, the lesson at the left.
 void lay_out_walk(const LayoutWishes& wishes, float lesson, float top, float bottom, float right, Layout& layout) {
   const float line = hairline(wishes), below = std::max(bottom - top, 0.0f);
@@ -33,15 +39,16 @@ void lay_out_walk(const LayoutWishes& wishes, float lesson, float top, float bot
     end -= height;
     return Rect{edge, end, width, height};
   };
-  const float usual = wishes.unit * (is_one_column(wishes)                      ? finger_height
-                                     : wishes.height < low_window * wishes.unit ? 36
-                                                                                : 42);
+  const float usual =
+      is_one_column(wishes)
+          ? finger_of(wishes)
+          : std::max((wishes.height < low_window * wishes.unit ? 36 : 42) * wishes.unit, finger_of(wishes));
   layout.strip = above(0.3f, wishes.bare ? 0 : std::max(wishes.strip, usual));
   const float corner = take(width * 0.2f, std::min(layout.strip.height, usual));
   layout.strip.width -= corner;
   layout.corner = {layout.strip.right(), layout.strip.y, corner, layout.strip.height};
   // What effects and the band leave of the plan can still be seen.
-  const float least_plan = 0.42f * (below - transport);
+  const float least_plan = (finger_of(wishes) > 0 ? 0.36f : 0.42f) * (below - transport);
   const auto beside_plan = [&](float wish) { return std::max(std::min(wish, end - top - least_plan), 0.0f); };
   layout.band = above(0.25f, beside_plan(wishes.band));
   layout.effects = above(0.5f, beside_plan(wishes.effects));
@@ -50,7 +57,7 @@ void lay_out_walk(const LayoutWishes& wishes, float lesson, float top, float bot
 
 // Of code, tabs and lesson the one that is in front, below the choice of it, in `where`.
 void lay_out_front(const LayoutWishes& wishes, const Rect& where, Layout& layout) {
-  const float wish = (is_one_column(wishes) ? finger_height + 2 : 38) * wishes.unit;
+  const float wish = std::max(38 * wishes.unit, finger_of(wishes) + 2 * wishes.unit);
   const float choice = wishes.bare && wishes.lesson <= 0 ? 0 : take(where.height * 0.3f, wish);
   layout.fronts = {where.x, where.y, where.width, choice};
   Rect& front = wishes.front == Front::code ? layout.side : wishes.front == Front::tabs ? layout.tabs : layout.lesson;
@@ -103,15 +110,17 @@ Layout lay_out_wide(const LayoutWishes& wishes) {
   const float unit = wishes.unit, width = std::max(wishes.width, 0.0f), height = std::max(wishes.height, 0.0f);
   const float line = hairline(wishes);
   Layout layout;
-  if (!wishes.bare) layout.bar = {0, 0, width, take(height, (height < low_window * unit ? 38 : 44) * unit)};
+  if (!wishes.bare)
+    layout.bar = {0, 0, width,
+                  take(height, std::max((height < low_window * unit ? 38 : 44) * unit, finger_of(wishes) + 2 * unit))};
   const float top = wishes.bare ? 0 : std::min(layout.bar.bottom() + line, height), below = height - top;
 
   // The code fits its longest line; the plan gets at least a third of the window.
   const float side = wishes.focus
                          ? take(width / 8, folded_width * unit)
                          : take(width * 2 / 3, std::max(wishes.code_width, std::min(width * 0.33f, 640 * unit)));
-  // A telephone on its side has no room for a third column, nor for the tabs below the code.
-  const bool shares = !wishes.focus && height < low_window * unit && width < three_columns * unit;
+  // Without room for a third column, nor for the tabs below the code.
+  const bool shares = !wishes.focus && is_on_its_side(wishes);
   const float lesson = wishes.lesson > 0 && !shares ? take((width - side) * 0.5f - line, wishes.lesson) : 0.0f;
   lay_out_walk(wishes, lesson, top, height, std::max(width - side - line, 0.0f), layout);
   if (shares) {
@@ -175,6 +184,11 @@ bool is_one_column(const LayoutWishes& wishes) {
   constexpr float least_tabs = 220, least_two = 540;  // widths, in units at scale 1
   const float least = wishes.code_width + hairline(wishes) + least_tabs * wishes.unit;
   return is_upright(wishes.width, wishes.height) && wishes.width < std::max(least, least_two * wishes.unit);
+}
+
+float finger_of(const LayoutWishes& wishes) {
+  if (is_one_column(wishes)) return finger_height * wishes.unit;
+  return wishes.touch && is_on_its_side(wishes) ? low_finger_height * wishes.unit : 0;
 }
 
 float shrink_to_fit(float width, float height, float unit, bool lesson) {

@@ -49,6 +49,7 @@ struct LayoutWishes {
   bool focus = false;                ///< code and tabs are folded to an edge
   Front front = Front::code;         ///< in one column; not the lesson unless it is shown
   bool bare = false;                 ///< neither bar nor strip nor tabs
+  bool touch = false;                ///< pressed by fingers
   bool help = false;                 ///< the help text is shown
   bool exchanged = false;            ///< what stands in the tabs and the plan change places
   bool enlarged = false;             ///< the open lesson is about what stands in the tabs
@@ -60,13 +61,16 @@ struct LayoutWishes {
 inline constexpr float folded_width = 22;
 /// Below this height, in units at scale 1, buttons that also have a key or a menu entry are hidden.
 inline constexpr float low_window = 430;
-/// How high is what a finger presses, in units at scale 1: 44 pixels of a telephone of 390, and 40 of one of 360.
-inline constexpr float finger_height = 46;
+/// How high is what a finger presses, in units at scale 1: 44 pixels of a telephone of 390, and 40 of one of 360 or on
+/// its side.
+inline constexpr float finger_height = 46, low_finger_height = 40;
 /// Taller than wide: code and tabs are below the walk, beside each other or, in a narrow window, one at a time.
 [[nodiscard]] bool is_upright(float width, float height);
 /// Upright and too narrow for two columns, as a telephone is: lesson, code and tabs stand below the walk one at a time,
 /// and what is pressed is as high as a finger needs.
 [[nodiscard]] bool is_one_column(const LayoutWishes& wishes);
+/// The least height of what is pressed, on a telephone upright or on its side; else 0: as its words need.
+[[nodiscard]] float finger_of(const LayoutWishes& wishes);
 /// In a window too small for everything all is drawn smaller, by this factor: 1 if not needed. `lesson`: one stands
 /// beside the plan.
 [[nodiscard]] float shrink_to_fit(float width, float height, float unit, bool lesson = false);

@@ -64,6 +64,7 @@ void link_dialog(const Ui& ui) {
   const std::string id = ui.say("link.title") + "###link";
   if (!ImGui::IsPopupOpen(id.c_str())) ImGui::OpenPopup(id.c_str());
   if (!ImGui::BeginPopupModal(id.c_str(), nullptr, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize)) return;
+  std::optional<FingerFields> fields(ui);
   const std::string address = address_shown(ui.state);
   const ImVec2 large{ui.px(150), ImGui::GetFrameHeight()};
   if (address.empty()) {
@@ -92,6 +93,7 @@ void link_dialog(const Ui& ui) {
   }
   ImGui::SameLine();
   if (button(ui, "link-close", ui.say("dialog.close"), "", large, {})) ui.act(action::ShowLink{false});
+  fields.reset();
   ImGui::EndPopup();
 }
 

@@ -170,7 +170,7 @@ struct Kept {
 void microscope_tab(const Ui& ui, const Rect& where, Kept& kept) {
   push_font(ui.fonts.small);
   const auto specimen = specimen_of(kept.microscope, ui.state);
-  const float height = ui.px(28), gap = ui.px(8);
+  const float height = ui.high(28), gap = ui.px(8);
   const bool wide = where.width > 1.15f * where.height;
   ButtonRow row(ui, where, height);
   draw_controls(ui, row, height, where.height < ui.px(260));

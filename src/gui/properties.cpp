@@ -82,10 +82,11 @@ void PropertiesPane::draw(const Ui& ui, const Rect& where, bool focus) {
   const Pane pane(ui, "properties", where, ui.colours.panel, {ui.px(14), ui.px(10)});
   if (!pane) return;
   const Target target = ui.state.plan.selected;
-  const float width = ImGui::GetContentRegionAvail().x, edge = ui.px(28);
+  const float width = ImGui::GetContentRegionAvail().x, edge = ui.high(28);
   push_font(ui.fonts.title);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::PushClipRect(at, {at.x + width - edge - ui.px(8), at.y + edge}, true);
+  if (ui.finger > 0) ImGui::SetCursorScreenPos({at.x, at.y + (edge - ImGui::GetFontSize()) / 2});
   label(ui.colours.text, properties_title(ui.state));
   ImGui::PopClipRect();
   pop_font();

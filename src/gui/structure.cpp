@@ -68,16 +68,18 @@ float draw_pages(const Ui& ui, const Rect& where, float height) {
 float draw_table(const Ui& ui, const Rect& where, const StructurePanel& panel) {
   const Shades shades(ui.state.appearance.theme);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
-  const float line = ImGui::GetFontSize() + ui.px(12), first = where.width * 0.34f;
+  const float line = std::max(ImGui::GetFontSize() + ui.px(12), ui.finger), first = where.width * 0.34f;
+  const float inset = (line - ImGui::GetFontSize()) / 2;
   const float column = (where.width - first) / static_cast<float>(std::max<std::size_t>(panel.columns.size(), 1));
   const auto right_aligned = [&](const std::string& words, std::size_t i, float y, Colour colour) {
     const float width = ImGui::CalcTextSize(words.c_str()).x;
-    draw.AddText({where.x + first + column * static_cast<float>(i + 1) - width - ui.px(8), std::round(y + ui.px(6))},
+    draw.AddText({where.x + first + column * static_cast<float>(i + 1) - width - ui.px(8), std::round(y + inset)},
                  to_imgui(colour), words.c_str());
   };
   float y = where.y;
-  for (std::size_t i = 0; i < panel.columns.size(); ++i) right_aligned(panel.columns[i], i, y, ui.colours.dim_text);
-  y += line;
+  for (std::size_t i = 0; i < panel.columns.size(); ++i)
+    right_aligned(panel.columns[i], i, y + ui.px(6) - inset, ui.colours.dim_text);
+  y += ImGui::GetFontSize() + ui.px(12);
   for (const StructureRow& row : panel.rows) {
     const bool is_chosen = row.kind == ui.state.structure.kind;
     const std::string name = "structure/" + std::string(name_of(row.kind));
@@ -92,7 +94,7 @@ float draw_table(const Ui& ui, const Rect& where, const StructurePanel& panel) {
     const Colour ink = is_chosen ? shades.on_accent : ui.colours.text;
     draw.AddLine({where.x, y}, {where.right(), y}, to_imgui(shades.line));
     push_font(is_chosen ? ui.fonts.strong : ImGui::GetFont());
-    draw.AddText({where.x + ui.px(8), std::round(y + ui.px(6))}, to_imgui(ink), row.name.c_str());
+    draw.AddText({where.x + ui.px(8), std::round(y + inset)}, to_imgui(ink), row.name.c_str());
     for (std::size_t i = 0; i < row.numbers.size(); ++i) right_aligned(row.numbers[i], i, y, ink);
     pop_font();
     if (pressed) ui.act(action::ChooseStructure{row.kind});
@@ -108,7 +110,7 @@ void StructureRoom::draw_tab(const Ui& ui, const Rect& pane, TabContext&) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const Rect where{at.x, at.y, ImGui::GetContentRegionAvail().x, pane.height};
   const StructurePanel panel = structure_panel(ui.state);
-  const float height = ui.px(32), gap = ui.px(8);
+  const float height = ui.high(32), gap = ui.px(8);
   Rect rest = where;
   const auto take = [&](float bottom) { rest = {where.x, bottom + gap, where.width, where.bottom() - bottom - gap}; };
   take(draw_pages(ui, rest, height));

@@ -110,7 +110,7 @@ void TabsPane::draw(const Ui& ui, const Rect& where, const Rect& choice, const P
   const auto beside = [&] {
     const bool to_the_left = where.x > whole.x / 3;
     const float x = to_the_left ? std::max(where.x - gap, std::min(width + gap, whole.x - gap))
-                                : std::min(where.right() + gap, whole.x - gap - width);
+                                : std::max(std::min(where.right() + gap, whole.x - gap - width), 0.0f);
     ImGui::SetNextWindowPos({x, whole.y - gap}, ImGuiCond_Appearing, {to_the_left ? 1.0f : 0.0f, 1.0f});
     ImGui::SetNextWindowSizeConstraints({0, 0}, {whole.x, std::max(whole.y - bar - ui.px(12), 1.0f)});
   };

@@ -258,7 +258,8 @@ int ray_tree(const Ui& ui, const Rect& where, int& centred_on) {
     for (const TreeNode& node : tree.nodes) {
       if (node.parent >= 0) draw_link(ui, node, place(tree.nodes[static_cast<std::size_t>(node.parent)]), place(node));
     }
-    const float r = radius + ui.px(3);
+    // A finger reaches farther, but not into the next one.
+    const float r = std::max(radius + ui.px(3), std::min({ui.finger, column, level}) / 2);
     for (const TreeNode& node : tree.nodes) {
       const ImVec2 at = place(node);
       const std::string name = "node-" + std::to_string(node.ray);

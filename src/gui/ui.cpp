@@ -31,12 +31,35 @@ Pane::Pane(const Ui& ui, const char* name, const Rect& where, Colour ground, ImV
   ui.publish(name, where);
 }
 
+FingerFields::FingerFields(const Ui& ui) : reach_(ImGui::GetStyle().TouchExtraPadding) {
+  if (ui.finger <= 0) return;
+  ImGuiStyle& style = ImGui::GetStyle();
+  const float apart = ui.px(8);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                      {style.FramePadding.x, (ui.finger - apart - ImGui::GetFontSize()) / 2});
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {style.ItemSpacing.x, apart});
+  pushed_ = 2;
+  style.TouchExtraPadding = {ui.px(2), apart / 2};
+}
+
+FingerFields::~FingerFields() {
+  ImGui::PopStyleVar(pushed_);
+  ImGui::GetStyle().TouchExtraPadding = reach_;
+}
+
 ScrolledList::ScrolledList(const Ui& ui, const char* name, float height, float padding) {
   ImGui::PushStyleColor(ImGuiCol_ChildBg, to_imgui4(ui.colours.window));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {padding, padding});
   visible_ = ImGui::BeginChild(name, {0, height}, true, ImGuiWindowFlags_AlwaysUseWindowPadding);
   ImGui::PopStyleVar();
   ImGui::PopStyleColor();
+  const ImVec2 apart = ImGui::GetStyle().ItemSpacing;
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {apart.x, std::max(apart.y, ui.finger - ImGui::GetFontSize())});
+}
+
+ScrolledList::~ScrolledList() {
+  ImGui::PopStyleVar();
+  ImGui::EndChild();
 }
 
 FormPopup::FormPopup(const Ui& ui, const char* name) {
@@ -48,6 +71,11 @@ FormPopup::FormPopup(const Ui& ui, const char* name) {
              {ImGui::GetWindowPos().x, ImGui::GetWindowPos().y, ImGui::GetWindowWidth(), ImGui::GetWindowHeight()});
   ImGui::PushFont(ui.fonts.small);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(6), ui.px(6)});
+}
+
+float FormPopup::width(const Ui& ui, float units) {
+  const float beside = 2 * ui.px(14) + ImGui::GetStyle().ScrollbarSize + 2 * ImGui::GetStyle().DisplaySafeAreaPadding.x;
+  return std::min(ui.px(units), ImGui::GetIO().DisplaySize.x - beside);
 }
 
 FormPopup::~FormPopup() {

@@ -134,11 +134,26 @@ class Pane {
   bool visible_;
 };
 
-/// In a dialog, a framed list of this height that scrolls, as wide as there is room. False while nothing of it is seen.
+/// While it exists, ImGui's fields, and what is as high as they are, suit a finger where one presses: they are a little
+/// higher, and the gaps between them belong to them.
+class FingerFields {
+ public:
+  explicit FingerFields(const Ui& ui);
+  ~FingerFields();
+  FingerFields(const FingerFields&) = delete;
+  FingerFields& operator=(const FingerFields&) = delete;
+
+ private:
+  int pushed_ = 0;
+  ImVec2 reach_;  ///< beyond an item's edges, before
+};
+
+/// In a dialog, a framed list of this height that scrolls, as wide as there is room, of lines as high as a finger
+/// needs. False while nothing of it is seen.
 class ScrolledList {
  public:
   ScrolledList(const Ui& ui, const char* name, float height, float padding);
-  ~ScrolledList() { ImGui::EndChild(); }
+  ~ScrolledList();
   ScrolledList(const ScrolledList&) = delete;
   ScrolledList& operator=(const ScrolledList&) = delete;
   explicit operator bool() const { return visible_; }
@@ -155,6 +170,8 @@ class FormPopup {
   FormPopup(const FormPopup&) = delete;
   FormPopup& operator=(const FormPopup&) = delete;
   explicit operator bool() const { return open_; }
+  /// Of a form in it: so many units, where the window is as wide.
+  [[nodiscard]] static float width(const Ui& ui, float units);
 
  private:
   bool open_;

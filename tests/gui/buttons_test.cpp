@@ -322,19 +322,135 @@ TEST_CASE("on a telephone held upright what is pressed is as high as a finger ne
   }
 }
 
+TEST_CASE("on a telephone so are panels, forms and lists, and these stay in the window, in every language") {
+  const FontFiles files = find_fonts(font_folders(""));
+  struct Size {
+    float width, height, least;
+  };
+  for (const Size& each : {Size{390, 844, 44}, Size{360, 640, 40}, Size{844, 390, 40}}) {
+    for (const Language language : all_languages()) {
+      Bench bench(at(40, Mode::trace), each.width, each.height, files);
+      bench.state.appearance.language = language;
+      bench.unit = bench.dpi = shrink_to_fit(each.width, each.height, 1);
+      update(bench.state, action::SetTouch{true});
+      update(bench.state, action::ShowFront{Front::tabs});
+      const float reach = 4 * bench.unit;  // of a finger beyond the edges of what is in a form or shows a picture
+      const auto check = [&](const std::string& item, float beyond = 0) {
+        CAPTURE(each.width, language.code(), item);
+        REQUIRE(bench.has(item));
+        const Rect where = bench.rect(item);
+        CHECK(where.height + 2 * beyond >= each.least - 0.5f);
+        CHECK(where.x >= 0);
+        CHECK(where.right() <= each.width + 0.5f);
+        CHECK_FALSE(bench.has(item + "/clipped"));
+      };
+      const auto show = [&](Tab tab) {
+        update(bench.state, action::SetTab{tab});
+        bench.resize(each.width, each.height);
+      };
+      show(StructureRoom::tab);
+      for (const char* item : {"structure/search", "structure/build", "structure-next", "structure/slider"})
+        check(item);
+      bench.click("structure/build");
+      bench.frames(2);
+      check("structure/bvh");
+      show(CostRoom::tab);
+      for (const char* item : {"cost-page", "cost-knobs", "cost-try"}) check(item);
+      show(MicroscopeRoom::tab);
+      for (const char* item : {"numerics-robust", "precision-float"}) check(item);
+      show(TreeRoom::tab);
+      check(bench.interface().items().lower_bound("node-")->first, reach);
+
+      const auto check_popup = [&](const std::string& name, const std::vector<std::string_view>& fields) {
+        bench.frames(2);
+        CAPTURE(each.width, language.code(), name);
+        REQUIRE(bench.has(name));
+        const Rect popup = bench.rect(name);
+        CHECK(popup.x >= 0);
+        CHECK(popup.y >= 0);
+        CHECK(popup.right() <= each.width + 0.5f);
+        CHECK(popup.bottom() <= each.height + 0.5f);
+        for (const std::string_view id : fields) {
+          const std::string field = "property/" + std::string(text(id, language));
+          check(field, reach);
+          CHECK(bench.rect(field).right() <= popup.right());
+        }
+        bench.hold(ImGuiKey_Escape, true);
+        bench.frames(2);
+        bench.hold(ImGuiKey_Escape, false);
+        bench.frames(2);
+        CHECK_FALSE(bench.has(name));
+      };
+      show(PictureRoom::tab);
+      bench.click("image-settings");
+      check_popup("image-settings-popup", {"property.integrator", "property.samples", "property.heat"});
+      show(CostRoom::tab);
+      bench.click("cost-knobs");
+      check_popup("cost-knobs-popup", {"property.samples", "property.sampler", "property.precision"});
+
+      update(bench.state, action::SetMode{Mode::move});
+      update(bench.state, action::Select{{TargetKind::object, 1}});
+      update(bench.state, action::ShowFront{Front::code});
+      bench.resize(each.width, each.height);
+      check("deselect");
+      const std::string radius = "property/" + std::string(text("property.radius", language));
+      check(radius, reach);
+      // A finger that is a little below it meets it, too.
+      const Rect field = bench.rect(radius);
+      const Scene before = bench.state.scene();
+      bench.move_to(field.x + field.width / 2, field.bottom() + 0.7f * reach);
+      bench.press();
+      bench.move_to(field.x + field.width / 2 + 60, field.bottom() + 0.7f * reach);
+      bench.release();
+      CHECK_FALSE(bench.state.scene() == before);
+
+      update(bench.state, action::AskSaveAs{});
+      bench.resize(each.width, each.height);
+      for (const char* item : {"browser-up", "browser-path", "browser-cancel", "browser-accept"}) check(item, reach);
+    }
+  }
+}
+
+TEST_CASE("on a telephone on its side the bars are as high as a finger needs, once one has touched it") {
+  const FontFiles files = find_fonts(font_folders(""));
+  for (const auto& [width, height] : {std::pair{844.0f, 390.0f}, {740.0f, 360.0f}}) {
+    for (const Language language : all_languages()) {
+      Bench bench(at(40, Mode::trace), width, height, files);
+      bench.state.appearance.language = language;
+      bench.unit = bench.dpi = shrink_to_fit(width, height, 1);
+      bench.resize(width, height);
+      CHECK(bench.rect("step").height < 36);
+      update(bench.state, action::SetTouch{true});
+      bench.resize(width, height);
+      for (const char* item : {"menu-file", "mode-move", "undo", "language", "lessons", "only-pixel", "focus", "step",
+                               "play", "grain", "first", "scrub", "front-code", "front-tabs"}) {
+        CAPTURE(width, language.code(), item);
+        REQUIRE(bench.has(item));
+        CHECK(bench.rect(item).height >= 37.5f);
+        CHECK(bench.rect(item).bottom() <= height + 0.5f);
+        CHECK_FALSE(bench.has(std::string(item) + "/clipped"));
+      }
+      CHECK(bench.rect("plan").height >= 0.36f * height);
+      bench.state.appearance.embedded = true;
+      bench.resize(width, height);
+      CHECK(bench.rect("step").height >= 40);
+    }
+  }
+}
+
 TEST_CASE("the entries of a menu stand as far apart as a finger needs, and a menu that so is too long scrolls") {
   for (const auto& [width, height] : {std::pair{844.0f, 390.0f}, {390.0f, 844.0f}}) {
-    CAPTURE(width);
-    Bench bench(at(0, Mode::move), width, height);
-    bench.unit = bench.dpi = shrink_to_fit(width, height, 1);
-    bench.resize(width, height);
-    bench.click("menu-view");
-    CHECK(bench.rect("menu/zoom-in").y - bench.rect("menu/fit").y < 30);
-    bench.click("menu-view");
-    update(bench.state, action::SetTouch{true});
-    bench.click("menu-view");
-    CHECK(bench.rect("menu/zoom-in").y - bench.rect("menu/fit").y >= 44);
-    CHECK(bench.rect("menu/full-screen").y > height);
+    for (const bool touch : {false, true}) {
+      CAPTURE(width, touch);
+      Bench bench(at(0, Mode::move), width, height);
+      bench.unit = bench.dpi = shrink_to_fit(width, height, 1);
+      update(bench.state, action::SetTouch{touch});
+      bench.resize(width, height);
+      bench.click("menu-view");
+      const float apart = bench.rect("menu/zoom-in").y - bench.rect("menu/fit").y;
+      CHECK((touch ? apart >= 44 : apart < 30));
+      if (touch) CHECK(bench.rect("menu/full-screen").y > height);
+    }
   }
 }
 

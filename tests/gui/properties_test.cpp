@@ -161,7 +161,6 @@ TEST_CASE("what a property means is said where it stands") {
   Bench bench(selected({TargetKind::object, 0}));
   bench.frames(2);
   CHECK(bench.has(field("property.diffuse", "/label")));
-  CHECK(bench.has(field("property.dielectric", "/label")));
 }
 
 TEST_CASE("every key of a scene that has a field has a name in the window") {

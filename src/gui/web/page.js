@@ -661,6 +661,8 @@ async function start() {
   running = true;
   says.hidden = true;
   if (less_motion.matches) call('page_act', 'tweens off');
+  // What is pressed by fingers alone is as high as they need from the start, not only after the first touch.
+  if (matchMedia('(pointer: coarse)').matches) call('page_act', 'touch on');
   canvas.focus();
   soon();
 }
