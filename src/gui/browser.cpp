@@ -186,7 +186,8 @@ void Browser::kinds(const Ui& ui) {
   }
   const std::string file = fs::path(name()).filename().string();
   if (typed_.empty() || typed_ == name()) {
-    label(ui.colours.dim_text, ui.say(words(chosen).hint));
+    paragraph(ui.colours.dim_text, ui.say(words(chosen).hint));
+    ui.publish("export-hint");
   } else {
     label(ui.colours.text, ui.say("export.will_be", {{"file", file}}));
     ui.publish("export-as");

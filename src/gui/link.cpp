@@ -36,6 +36,23 @@ void draw_code(const Ui& ui, const QrCode& code, float most) {
   ui.publish("link-code");
 }
 
+/// As much of an address as a few lines hold; it has no spaces to break it at.
+std::string in_some_lines(const std::string& address, float width) {
+  constexpr int most = 3;
+  const ImFont& font = *ImGui::GetFont();
+  std::string lines;
+  const char *at = address.c_str(), *const end = at + address.size();
+  for (int line = 1; at < end; ++line) {
+    const char* next = font.CalcWordWrapPositionA(ImGui::GetFontSize() / font.FontSize, at, end, width);
+    next = std::max(next, at + 1);
+    const bool is_cut = line == most && next < end;
+    lines += std::string(at, is_cut ? next - 1 : next) + (is_cut ? "\u2026" : next < end ? "\n" : "");
+    if (is_cut) break;
+    at = next;
+  }
+  return lines;
+}
+
 /// The address of the page that links lead to.
 void page_field(const Ui& ui) {
   constexpr std::size_t longest = 1024;
@@ -81,8 +98,7 @@ void link_dialog(const Ui& ui) {
     else
       paragraph(ui.colours.dim_text, ui.say("link.no_code", {{"letters", address.size()}, {"most", max_qr_letters}}));
     push_font(ui.fonts.small);
-    paragraph(ui.colours.text,
-              address.size() <= max_qr_letters ? address : address.substr(0, max_qr_letters) + "\u2026");
+    label(ui.colours.text, in_some_lines(address, ImGui::GetContentRegionAvail().x));
     ui.publish("link-address");
     pop_font();
     page_field(ui);

@@ -247,6 +247,18 @@ TEST_CASE("an export goes where the last one went") {
   CHECK(bench.last<action::Export>()->path == scenes / "inner/b.html");
 }
 
+TEST_CASE("what an export is stands in the window of a telephone, in every language") {
+  const Scenes scenes;
+  for (const Language language : all_languages()) {
+    Bench bench(asking(scenes / "b.toml", action::AskExport{}), 360, 640);
+    bench.unit = bench.dpi = shrink_to_fit(360, 640, 1);
+    bench.state.appearance.language = language;
+    bench.frames(4);
+    CHECK(bench.rect("export-hint").right() <= 360);
+    CHECK(bench.rect("browser-accept").bottom() <= 640);
+  }
+}
+
 TEST_CASE("an export's kinds can be seen, and give the name its ending") {
   const Scenes scenes;
   Bench bench(asking(scenes / "b.toml", action::AskExport{}));

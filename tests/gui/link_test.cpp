@@ -60,10 +60,12 @@ TEST_CASE("a link is copied by its key, and shown with its code, which leaves no
 
 TEST_CASE("the link dialog fits the window in every language, with a code and without") {
   for (const Language language : all_languages())
-    for (const auto& [width, height] : {std::pair{1280.0f, 720.0f}, {640.0f, 480.0f}}) {
+    for (const auto& [width, height] :
+         {std::pair{1280.0f, 720.0f}, {640.0f, 480.0f}, {390.0f, 844.0f}, {360.0f, 640.0f}}) {
       State state = with_scenes();
       state.appearance.language = language;
       Bench bench(state, width, height);
+      bench.unit = bench.dpi = shrink_to_fit(width, height, 1);
       update(bench.state, action::SetLinkPage{std::string(260, 'x')});
       update(bench.state, action::ShowLink{true});
       bench.frames(4);
@@ -71,6 +73,13 @@ TEST_CASE("the link dialog fits the window in every language, with a code and wi
       update(bench.state, action::SetLinkPage{});
       bench.frames(4);
       REQUIRE(bench.has("link-code"));
+      CHECK(bench.rect("link-close").bottom() <= height);
+      // An address has no spaces, and is seen all the same; of a long one as much as three lines hold.
+      const Rect address = bench.rect("link-address");
+      CHECK(address.right() <= width);
+      update(bench.state, action::SetLinkPage{"https://" + std::string(200, 'x') + ".example/"});
+      bench.frames(4);
+      CHECK(bench.rect("link-address").right() <= width);
       CHECK(bench.rect("link-close").bottom() <= height);
     }
 }
