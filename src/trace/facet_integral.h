@@ -4,7 +4,9 @@
 #include "math/sampling.h"
 #include "trace/microfacets.h"
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace raywalk::detail {
 
@@ -19,16 +21,29 @@ double simpson(const F& f, double a, double b, double f_a, double f_mid, double 
   return simpson(f, a, mid, f_a, left, f_mid, tolerance / 2, depth - 1) +
          simpson(f, mid, b, f_mid, right, f_b, tolerance / 2, depth - 1);
 }
+constexpr int parts = 4, deepest = 8;
 /// Over the parts of 0..1.
 template <class F>
 double integral(const F& f, double tolerance) {
-  constexpr int parts = 4, deepest = 8;
-  double sum = 0;
+  double sum = 0, f_from = f(0.0);
   for (int i = 0; i < parts; ++i) {
-    const double from = static_cast<double>(i) / parts, to = static_cast<double>(i + 1) / parts;
-    sum += simpson(f, from, to, f(from), f((from + to) / 2), f(to), tolerance / parts, deepest);
+    const double from = static_cast<double>(i) / parts, to = static_cast<double>(i + 1) / parts, f_to = f(to);
+    sum += simpson(f, from, to, f_from, f((from + to) / 2), f_to, tolerance / parts, deepest);
+    f_from = f_to;
   }
   return sum;
+}
+
+/// Of a share of half a turn that `integral` asks for.
+inline const portable::SineCosine<double>& sin_cos_of_half_turn(double share) {
+  constexpr int places = parts << (deepest + 2);  // quarters of the smallest interval
+  static const auto table = [] {
+    std::array<portable::SineCosine<double>, places + 1> all{};
+    for (std::size_t i = 0; i <= places; ++i)
+      all[i] = portable::sin_cos(pi_v<double> * (static_cast<double>(i) / places));
+    return all;
+  }();
+  return table[static_cast<std::size_t>(share * places)];
 }
 
 /// The mean of `f` over the normals that the eye sees of GGX: over a cap of the sphere, whose height is evenly
@@ -40,7 +55,7 @@ double mean_over_facets(double alpha, double cos, double tolerance, const F& f) 
   const auto at_height = [&](double height) {
     const double z = height * (1 + eye.z) - eye.z, radius = std::sqrt(std::max(1 - z * z, 0.0));
     const auto at_half_turn = [&](double share) {
-      const auto [sin, cosine] = portable::sin_cos(pi_v<double> * share);
+      const auto [sin, cosine] = sin_cos_of_half_turn(share);
       return f(to_eye,
                normalize(Vec3d(alpha * (radius * cosine + eye.x), alpha * radius * sin, std::max(z + eye.z, 1e-12))));
     };
