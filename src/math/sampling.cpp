@@ -2,13 +2,12 @@
 
 namespace raywalk {
 
-SphericalRectangle::SphericalRectangle(const Vec3d& point, const Vec3d& corner, const Vec3d& u, const Vec3d& v)
-    : length_x_(length(u)), length_y_(length(v)) {
-  const Vec3d x = u / length_x_, y = v / length_y_;
+SphericalRectangle::SphericalRectangle(const Vec3d& point, const Vec3d& corner, const Axes& axes)
+    : length_x_(axes.length_x), length_y_(axes.length_y) {
   const Vec3d to_corner = corner - point;
-  x0_ = dot(to_corner, x);
-  y0_ = dot(to_corner, y);
-  z_ = -std::abs(dot(to_corner, cross(x, y)));  // both sides are equivalent
+  x0_ = dot(to_corner, axes.x);
+  y0_ = dot(to_corner, axes.y);
+  z_ = -std::abs(dot(to_corner, axes.z));  // both sides are equivalent
   x1_ = x0_ + length_x_;
   y1_ = y0_ + length_y_;
   // Normals of the planes through the point and each edge have one component along the rectangle's normal, n_z; the

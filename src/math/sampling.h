@@ -174,8 +174,16 @@ template <class T>
 /// the solid angle is small enough to sample by area. In double for all scalars.
 class SphericalRectangle {
  public:
-  /// Edges u and v are perpendicular, neither 0.
-  SphericalRectangle(const Vec3d& point, const Vec3d& corner, const Vec3d& u, const Vec3d& v);
+  /// What of a rectangle is the same wherever it is seen from.
+  struct Axes {
+    Axes() = default;  ///< mean nothing
+    /// Of edges that are perpendicular, neither of them 0.
+    Axes(const Vec3d& u, const Vec3d& v)
+        : length_x(length(u)), length_y(length(v)), x(u / length_x), y(v / length_y), z(cross(x, y)) {}
+    double length_x, length_y;
+    Vec3d x, y, z;
+  };
+  SphericalRectangle(const Vec3d& point, const Vec3d& corner, const Axes& axes);
 
   [[nodiscard]] bool usable() const { return solid_angle_ > 1e-5; }
   [[nodiscard]] double solid_angle() const { return solid_angle_; }

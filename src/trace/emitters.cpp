@@ -61,6 +61,7 @@ void Emitters<T>::add_flat(int primitive, int part, Kind kind, const Vec3d& corn
   constexpr double square = 32 * static_cast<double>(std::numeric_limits<T>::epsilon());
   if (kind == Kind::parallelogram && std::abs(dot(u, v)) <= square * length(u) * length(v)) kind = Kind::rectangle;
   emitters_.push_back({kind, primitive, part, corner, u, v, area, 0});
+  if (kind == Kind::rectangle) emitters_.back().axes = {u, v};
 }
 
 template <class T>
@@ -195,7 +196,7 @@ auto Emitters<T>::sample(const Vec3<T>& from, T pick, const Vec2<T>& u) const ->
       by_area(unit);
       break;
     case Kind::rectangle: {
-      const SphericalRectangle seen(point, emitter.corner, emitter.u, emitter.v);
+      const SphericalRectangle seen(point, emitter.corner, emitter.axes);
       if (!seen.usable()) {
         by_area(unit);
         break;
@@ -237,7 +238,7 @@ T Emitters<T>::pdf(const Vec3<T>& from, int primitive, int part, const Vec3<T>& 
       break;
     }
     case Kind::rectangle: {
-      const SphericalRectangle seen(point, emitter->corner, emitter->u, emitter->v);
+      const SphericalRectangle seen(point, emitter->corner, emitter->axes);
       pdf = seen.usable() ? emitter->probability / seen.solid_angle() : by_area();
       break;
     }

@@ -1,6 +1,7 @@
 #pragma once
 // Emitting objects as light sources: sampling a point on them from a surface, and its pdf.
 
+#include "math/sampling.h"
 #include "trace/world.h"
 
 #include <optional>
@@ -43,7 +44,8 @@ class Emitters {
     int primitive, part;
     Vec3d corner, u, v;
     double area;
-    double probability;  ///< of being chosen
+    double probability;               ///< of being chosen
+    SphericalRectangle::Axes axes{};  ///< of a rectangle
 
     [[nodiscard]] bool is_sphere() const { return kind == Kind::sphere; }
     [[nodiscard]] bool is_parallelogram() const { return kind == Kind::parallelogram || kind == Kind::rectangle; }

@@ -299,7 +299,7 @@ TEST_CASE("what a point sees of a rectangle: its solid angle, and points even by
   for (const Case& c : cases) {
     const Vec3d normal = normalize(cross(c.u, c.v));
     const double area = length(cross(c.u, c.v));
-    const SphericalRectangle seen(c.point, c.corner, c.u, c.v);
+    const SphericalRectangle seen(c.point, c.corner, {c.u, c.v});
     constexpr int n = 1 << 16, grid = 6;
     double sum = 0;
     std::vector<double> expected(grid * grid);
@@ -338,12 +338,12 @@ TEST_CASE("what a point sees of a rectangle: its solid angle, and points even by
 }
 
 TEST_CASE("a rectangle too small or seen edge on is drawn by area instead") {
-  CHECK_FALSE(SphericalRectangle({0, 0, 0}, {1000, 0, 0}, {0, 1, 0}, {0, 0, 1}).usable());
-  CHECK_FALSE(SphericalRectangle({0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {0, 1, 0}).usable());
-  CHECK(SphericalRectangle({0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {0, 1, 0}).solid_angle() == 0);
+  CHECK_FALSE(SphericalRectangle({0, 0, 0}, {1000, 0, 0}, {{0, 1, 0}, {0, 0, 1}}).usable());
+  CHECK_FALSE(SphericalRectangle({0, 0, 0}, {1, 0, 0}, {{1, 0, 0}, {0, 1, 0}}).usable());
+  CHECK(SphericalRectangle({0, 0, 0}, {1, 0, 0}, {{1, 0, 0}, {0, 1, 0}}).solid_angle() == 0);
   // Where it is just usable, its digits hold.
   const double edge = 0.004;
-  const SphericalRectangle seen({0, 0, 0}, {-edge / 2, -edge / 2, 1}, {edge, 0, 0}, {0, edge, 0});
+  const SphericalRectangle seen({0, 0, 0}, {-edge / 2, -edge / 2, 1}, {{edge, 0, 0}, {0, edge, 0}});
   CHECK(seen.usable());
   CHECK(seen.solid_angle() == Approx(4 * std::asin(edge * edge / 4 / (1 + edge * edge / 4))).epsilon(1e-9));
 }
