@@ -3,8 +3,8 @@
 #include "accel/lanes_masked.h"
 
 #define RAYWALK_LANES masked
-#define RAYWALK_LANE_CODE [[gnu::target("avx512f,avx512vl,avx512dq")]]
-#define RAYWALK_LANE_LOOP [[gnu::target("avx512f,avx512vl,avx512dq"), gnu::flatten]]
+#define RAYWALK_LANE_CODE [[gnu::target(RAYWALK_MASKED)]]
+#define RAYWALK_LANE_LOOP [[gnu::target(RAYWALK_MASKED), gnu::flatten]]
 #include "accel/searches_at_width.h"
 
 namespace raywalk {

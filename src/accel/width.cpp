@@ -13,7 +13,7 @@ std::vector<LaneWidth> asked_of_processor() {
 #if defined(__x86_64__)
   __builtin_cpu_init();
   if (__builtin_cpu_supports("avx2")) widths.push_back(LaneWidth::eight);
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq"))
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl"))
     widths.push_back(LaneWidth::eight_masked);
 #endif
   return widths;
