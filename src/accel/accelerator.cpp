@@ -64,7 +64,7 @@ void Accelerator<T>::search_batch(std::span<const Ray<T>> rays, std::span<const 
     for (const Ray<T>& later : rays.subspan(first + count, std::min(queries.size(), rays.size() - first - count)))
       __builtin_prefetch(&later);
     for (std::size_t i = 0; i < count; ++i) {
-      queries[i].emplace(primitives_, rays[first + i], t_max[first + i], counts, accept...);
+      queries[i].emplace(rays[first + i], t_max[first + i], counts, accept...);
       if (tree == nullptr) {
         search(rays[first + i], *queries[i]);
       } else {

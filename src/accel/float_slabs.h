@@ -39,38 +39,51 @@ struct FloatSlabs {
 
   bool held;                ///< whether the ray is within float's range; otherwise this must not be used
   unsigned negative;        ///< a bit for each axis along which the ray's direction, perhaps -0, is negative
+  Lanes origin, slope;      ///< of the ray, in float
   Lanes from_in, from_out;  ///< the origin relative to the planes through which the ray enters and leaves
   Lanes inverse;            ///< 1 / direction
-
- private:
-  static constexpr float most = 1e18F;  ///< the largest origin and slope, and the inverse of the smallest slope
-
-  static bool holds(const Ray<T>& ray) {
-    for (int axis = 0; axis < 3; ++axis) {
-      const T slope = std::abs(ray.direction[axis]);
-      if (!(std::abs(ray.origin[axis]) < most && (slope == 0 || (slope > 1 / most && slope < most)))) return false;
-    }
-    return true;
-  }
 };
 
+namespace detail {
+
+inline constexpr float most_held = 1e18F;  ///< the largest origin and slope, and the inverse of the smallest slope
+
+/// Whether a ray is within float's range, as `surely_held` says of most without asking axis by axis.
 template <class T>
-inline FloatSlabs<T>::FloatSlabs(const Ray<T>& ray) {
-  constexpr float epsilon = std::numeric_limits<float>::epsilon(), least = std::numeric_limits<float>::min();
-  const Lanes origin{static_cast<float>(ray.origin.x), static_cast<float>(ray.origin.y),
-                     static_cast<float>(ray.origin.z), 0};
-  const Lanes slope{static_cast<float>(ray.direction.x), static_cast<float>(ray.direction.y),
-                    static_cast<float>(ray.direction.z), 1};
+[[nodiscard]] bool is_held(const Ray<T>& ray) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const T slope = std::abs(ray.direction[axis]);
+    const bool is_slope = slope == 0 || (slope > 1 / most_held && slope < most_held);
+    if (!(std::abs(ray.origin[axis]) < most_held && is_slope)) return false;
+  }
+  return true;
+}
+[[nodiscard]] inline LaneMask surely_held(Lanes origin, Lanes slope, Lanes inverse) {
+  return absolute(origin) + absolute(slope) + absolute(inverse) < all_lanes(most_held);
+}
+
+/// By how much an origin is moved outward whose coordinates, without their signs, have this sum. Either end of a slab
+/// errs by four roundings at most, of the slope, its inverse, the difference and the product: in all by 2 epsilon of
+/// the plane's and of the origin's coordinate. The boxes are widened by 8 of the former; the origin, itself rounded to
+/// float or into object space, is moved outward by 16 of the latter. Rounding below the smallest normal float is
+/// monotonic and so keeps the order.
+template <class Float>
+[[nodiscard]] Float slack_of(Float sum) {
+  return 16 * std::numeric_limits<float>::epsilon() * sum + std::numeric_limits<float>::min();
+}
+
+}  // namespace detail
+
+template <class T>
+inline FloatSlabs<T>::FloatSlabs(const Ray<T>& ray)
+    : origin{static_cast<float>(ray.origin.x), static_cast<float>(ray.origin.y), static_cast<float>(ray.origin.z), 0},
+      slope{static_cast<float>(ray.direction.x), static_cast<float>(ray.direction.y),
+            static_cast<float>(ray.direction.z), 1} {
   const Lanes size = absolute(origin);
   inverse = all_lanes(1) / slope;
   constexpr unsigned all = 15;
-  held = bits_of(size + absolute(slope) + absolute(inverse) < all_lanes(most)) == all || holds(ray);
-  // Either end of a slab errs by four roundings at most, of the slope, its inverse, the difference and the product: in
-  // all by 2 epsilon of the plane's and of the origin's coordinate. The boxes are widened by 8 of the former; the
-  // origin, itself rounded to float or into object space, is moved outward by 16 of the latter. Rounding below the
-  // smallest normal float is monotonic and so keeps the order.
-  const Lanes slack = all_lanes(16 * epsilon * (size[0] + size[1] + size[2]) + least);
-  const Lanes away = with_signs_of(slope, slack);
+  held = bits_of(detail::surely_held(origin, slope, inverse)) == all || detail::is_held(ray);
+  const Lanes away = with_signs_of(slope, all_lanes(detail::slack_of(size[0] + size[1] + size[2])));
   from_in = origin + away, from_out = origin - away;
   negative = bits_of(reinterpret_cast<LaneMask>(slope));
 }

@@ -86,16 +86,16 @@ RAYWALK_LANE_TARGET inline Group largest(Group a, Group b, Group c) {
 /// `asked`; what it says of others means nothing.
 ///
 /// The test is that of shape/triangle.h. With h = 2^-24, half an ulp of 1, a corner's x or y errs by at most 3h|x| +
-/// 6h|z| + 4h|o|: h each of x and z by the difference; where positions are in double, h each of x, z and twice of the
-/// origin by rounding them to float; 2h|z| by the shear, whose terms are at most 1, and its product; h|x| by the last
-/// difference. Twice that is taken. An edge function, the difference of two products of such coordinates, then errs by
-/// less than 4 * across * that: it can be larger only where across is at least twice as large as the corner's error,
-/// which bounds the product of two errors. Their sum weighs the corners' z to the triangle's own on the ray: each of
-/// three products errs by at most error (depth + corner_error) + 2 across^2 corner_error, that is error (depth + across
-/// / 2 + corner_error), and by rounding, which the fourth part of `slack` has room for. The area, three times an edge
-/// function's error, can be trusted from four on. Below the smallest normal float all rounding is less than `grain` and
-/// `least` account for. Where something leaves float's range, or is NaN, no comparison is true, and nothing is ruled
-/// out.
+/// 8h|z| + 4h|o|: h each of x and z by the difference; where positions are in double, h each of x, z and twice of the
+/// origin by rounding them to float; 4h|z| by the shear, a quotient of two that are at most 1, and its product; h|x| by
+/// the last difference. Twice that is taken. An edge function, the difference of two products of such coordinates, then
+/// errs by less than 4 * across * that: it can be larger only where across is at least twice as large as the corner's
+/// error, which bounds the product of two errors. Their sum weighs the corners' z to the triangle's own on the ray:
+/// each of three products errs by at most error (depth + corner_error) + 2 across^2 corner_error, that is error (depth
+/// + across / 2 + corner_error), and by rounding, which the fourth part of `slack` has room for. The area, three times
+/// an edge function's error, can be trusted from four on. Below the smallest normal float all rounding is less than
+/// `grain` and `least` account for. Where something leaves float's range, or is NaN, no comparison is true, and nothing
+/// is ruled out.
 ///
 /// With `certain`, a bit there for each that is as certainly hit before its t_far, and not so near that a ray which
 /// leaves a neighbour may be taken to leave this one (Triangles::leaves_by_edge).
@@ -131,15 +131,33 @@ RAYWALK_LANE_TARGET inline unsigned certainly_missed(const SiftedRay& ray, const
   return outside | bits_where(behind | beyond | (broad & off));
 }
 
-RAYWALK_LANE_TARGET inline LaneCorner sheared(const MeshRay& axes, const SiftedRay& ray, const TrianglePack& pack,
+/// `axes`: MeshRay::axes.
+RAYWALK_LANE_TARGET inline LaneCorner sheared(const std::uint32_t* axes, const SiftedRay& ray, const TrianglePack& pack,
                                               unsigned corner, unsigned lane) {
   const auto& of = pack.corners[corner];
-  return sheared(ray, at_offset(of, axes.axes[0], lane), at_offset(of, axes.axes[1], lane),
-                 at_offset(of, axes.axes[2], lane));
+  return sheared(ray, at_offset(of, axes[0], lane), at_offset(of, axes[1], lane), at_offset(of, axes[2], lane));
 }
 
-/// A bit for each of the pack's first `count` lanes, unless the ray certainly misses its triangle or reaches it only
-/// beyond `held_reach`, `reach_of` its t_far; and `certain` of certainly_missed.
+/// A bit for each of the pack's first `count` lanes, unless the ray, whose terms are the same in all lanes, certainly
+/// misses its triangle or reaches it only beyond its reach; and `certain` of certainly_missed.
+template <bool wants_certain>
+RAYWALK_LANE_TARGET inline unsigned sift(const std::uint32_t* axes, const SiftedRay& ray, const TrianglePack& pack,
+                                         unsigned count, unsigned& certain) {
+  const unsigned all = (1U << count) - 1;
+  unsigned missed = 0;
+  for (unsigned lane = 0; lane < (group_lanes == tree_width ? 1 : count); lane += group_lanes) {
+    unsigned certain_here = 0;
+    missed |= certainly_missed<wants_certain>(ray, sheared(axes, ray, pack, 0, lane), sheared(axes, ray, pack, 1, lane),
+                                              sheared(axes, ray, pack, 2, lane),
+                                              all >> lane & ((1U << group_lanes) - 1), certain_here)
+              << lane;
+    if constexpr (wants_certain) certain |= certain_here << lane;
+  }
+  if constexpr (wants_certain) certain &= all;
+  return ~missed & all;
+}
+
+/// The same for a ray that is searched alone; `held_reach`: `reach_of` its t_far.
 template <bool wants_certain>
 RAYWALK_LANE_TARGET inline unsigned sift(const MeshRay& ray, float held_reach, const TrianglePack& pack, unsigned count,
                                          unsigned& certain) {
@@ -149,16 +167,5 @@ RAYWALK_LANE_TARGET inline unsigned sift(const MeshRay& ray, float held_reach, c
                         all_of(ray.grain),
                         all_of(ray.size),
                         all_of(held_reach)};
-  const unsigned all = (1U << count) - 1;
-  unsigned missed = 0;
-  for (unsigned lane = 0; lane < (group_lanes == tree_width ? 1 : count); lane += group_lanes) {
-    unsigned certain_here = 0;
-    missed |= certainly_missed<wants_certain>(terms, sheared(ray, terms, pack, 0, lane),
-                                              sheared(ray, terms, pack, 1, lane), sheared(ray, terms, pack, 2, lane),
-                                              all >> lane & ((1U << group_lanes) - 1), certain_here)
-              << lane;
-    if constexpr (wants_certain) certain |= certain_here << lane;
-  }
-  if constexpr (wants_certain) certain &= all;
-  return ~missed & all;
+  return sift<wants_certain>(ray.axes, terms, pack, count, certain);
 }

@@ -5,6 +5,7 @@
 #include "accel/search_record.h"
 #include "accel/wide_search.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -26,7 +27,7 @@ class MeshBvh {
 
   template <class Query>
   [[gnu::noinline]] void search(const Ray<T>& ray, const Primitives<T>& primitives, Query& query) const {
-    const MeshRay lanes(ray, query.sheared());
+    const MeshRay lanes(ray);
     if (lanes.held)
       search_all(lanes, ray, primitives, query);
     else
@@ -41,23 +42,26 @@ class MeshBvh {
   /// alone. Neighbours that are coherent are searched together (accel/packet_search.h).
   template <class Query>
   [[gnu::noinline]] void search(std::span<std::optional<Query>> queries, const Primitives<T>& primitives) const {
-    std::array<MeshRay, RayPacket::most> rays;
-    for (std::size_t i = 0; i < queries.size(); ++i)
-      std::construct_at(&rays[i], queries[i]->ray(), queries[i]->sheared());
-    const float near = near_each_other_;
-    for (std::size_t first = 0, end = 1; first < queries.size(); first = end++) {
-      while (end < queries.size() && RayPacket::coherent(rays[first], rays[end], near)) ++end;
-      const bool together = end - first >= fewest_together;
-      if (together) walk(std::span(rays).subspan(first, end - first), primitives, queries.subspan(first));
-      for (std::size_t i = first; i < end; ++i) {
+    const auto ray = [&](unsigned i) -> const Ray<T>& { return queries[i]->ray(); };
+    const auto count = static_cast<unsigned>(queries.size());
+    if (longest_run(count, ray) < fewest_together) {
+      for (unsigned i = 0; i < count; ++i)
+        if (!queries[i]->over()) search(ray(i), primitives, *queries[i]);
+      return;
+    }
+    const RaysAbreast rays(count, ray);
+    for (unsigned first = 0, end = 0; first < count; first = end) {
+      const auto run = static_cast<unsigned>(std::countr_one(rays.coherent(first, near_each_other_) >> first));
+      end = first + std::max(run, 1U);
+      const bool together = run >= fewest_together;
+      if (together) walk(rays, (1U << end) - (1U << first), primitives, queries);
+      for (unsigned i = first; i < end; ++i) {
         Query& query = *queries[i];
         if (query.over()) continue;
-        if (!rays[i].held)
-          walk_beyond_float(query.ray(), primitives, query);
-        else if (!together)
-          search_all(rays[i], query.ray(), primitives, query);
+        if (!together)
+          search(ray(i), primitives, query);
         else if (copies_)
-          copies_->search(rays[i], query.ray(), primitives, query);
+          copies_->search(MeshRay(ray(i)), ray(i), primitives, query);
       }
     }
   }
@@ -99,14 +103,31 @@ class MeshBvh {
     query.count(search.nodes(), search.passed_over());
   }
 
-  static constexpr std::size_t fewest_together = 4;  ///< rays that a packet pays for
+  static constexpr unsigned fewest_together = 4;  ///< rays that a packet pays for
+
+  /// The most neighbours whose slopes have the same signs, without which they are not coherent: what is asked first,
+  /// since it costs least.
+  template <class RayOf>
+  static unsigned longest_run(unsigned count, const RayOf& ray) {
+    unsigned longest = 0, run = 0, last = 8;
+    for (unsigned i = 0; i < count; ++i) {
+      const Vec3<T>& slope = ray(i).direction;
+      unsigned signs = 0;
+      for (int axis = 0; axis < 3; ++axis) signs |= static_cast<unsigned>(std::signbit(slope[axis])) << axis;
+      run = signs == last ? run + 1 : 1, last = signs;
+      longest = std::max(longest, run);
+    }
+    return longest;
+  }
 
   template <class Query>
-  void walk(std::span<const MeshRay> rays, const Primitives<T>& primitives,
+  void walk(const RaysAbreast& rays, unsigned members, const Primitives<T>& primitives,
             std::span<std::optional<Query>> queries) const {
-    PacketSearch search(tree_, rays, Query::shortens);
-    for (unsigned ray = 0; ray < rays.size(); ++ray)
+    PacketSearch search(tree_, rays, members, Query::shortens);
+    for (unsigned bits = members; bits != 0; bits &= bits - 1) {
+      const auto ray = static_cast<unsigned>(std::countr_zero(bits));
       if (!queries[ray]->over()) search.set_far(ray, queries[ray]->t_far());
+    }
     while (search.next())
       for (unsigned bits = search.rays(); bits != 0; bits &= bits - 1) {
         const auto ray = static_cast<unsigned>(std::countr_zero(bits));

@@ -81,7 +81,7 @@ class MeshCopies {
     const CopyPlace& place = places_[index];
     const Ray<double> in = place.taken_in(ray);
     const Vec3d off = place.off_at(wide(ray.origin));
-    const MeshRay lanes(in, ShearedRay<double>(in), off, place.turned(wide(ray.direction), in.direction));
+    const MeshRay lanes(in, off, place.turned(wide(ray.direction), in.direction));
     if (lanes.held) return walk(index, lanes, primitives, query);
     SlabRay<double> slabs(in);
     slabs.move_out(off);

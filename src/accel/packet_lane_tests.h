@@ -32,16 +32,17 @@ RAYWALK_LANE_TARGET inline Group in_all(const float* first, std::size_t offset) 
 /// A bit for each of `rays` that hits the node's box in lane `box` before its t_far: as the ray's own test decides.
 RAYWALK_LANE_TARGET inline unsigned rays_that_meet(const RayPacket& packet, const WideNode& node, unsigned box,
                                                    unsigned rays) {
+  const RaysAbreast& of = packet.rays;
   unsigned bits = 0;
   for (unsigned first = 0; first < RayPacket::most; first += group_lanes) {
     if ((rays >> first & ((1U << group_lanes) - 1)) == 0) continue;
     Group enters = all_of(0), leaves = loaded(packet.t_far + first);
     for (int axis = 0; axis < 3; ++axis) {
-      const Group inverse = loaded(packet.inverse[axis] + first);
+      const Group inverse = loaded(of.inverse[axis] + first);
       const float* const planes = &node.planes[0][box];
       const Group near = in_all(planes, packet.near[axis]), far = in_all(planes, packet.far[axis]);
-      enters = max((near - loaded(packet.from_in[axis] + first)) * inverse, enters);
-      leaves = min((far - loaded(packet.from_out[axis] + first)) * inverse, leaves);
+      enters = max((near - loaded(of.from_in[axis] + first)) * inverse, enters);
+      leaves = min((far - loaded(of.from_out[axis] + first)) * inverse, leaves);
     }
     bits |= bits_where(enters <= leaves) << first;
   }
@@ -58,17 +59,17 @@ RAYWALK_LANE_TARGET inline LaneCorner sheared(const RayPacket& packet, const Sif
 /// its t_far: as `sift` decides for the ray alone.
 RAYWALK_LANE_TARGET inline unsigned rays_that_may_hit(const RayPacket& packet, const TrianglePack& pack, unsigned lane,
                                                       unsigned rays) {
+  const RaysAbreast& of = packet.rays;
   unsigned missed = 0;
   for (unsigned first = 0; first < RayPacket::most; first += group_lanes) {
     const unsigned asked = rays >> first & ((1U << group_lanes) - 1);
     if (asked == 0) continue;
-    const SiftedRay terms{
-        {loaded(packet.origin[0] + first), loaded(packet.origin[1] + first), loaded(packet.origin[2] + first)},
-        {loaded(packet.shear[0] + first), loaded(packet.shear[1] + first)},
-        all_of(packet.forward),
-        loaded(packet.grain + first),
-        all_of(0),
-        reach_of(loaded(packet.t_far + first), loaded(packet.depth_per_t + first))};
+    const SiftedRay terms{{loaded(of.origin[0] + first), loaded(of.origin[1] + first), loaded(of.origin[2] + first)},
+                          {loaded(of.shear[0] + first), loaded(of.shear[1] + first)},
+                          all_of(packet.forward),
+                          loaded(of.grain + first),
+                          all_of(0),
+                          reach_of(loaded(packet.t_far + first), loaded(of.depth_per_t + first))};
     unsigned certain;
     missed |=
         certainly_missed<false>(terms, sheared(packet, terms, pack, 0, lane), sheared(packet, terms, pack, 1, lane),
@@ -76,4 +77,20 @@ RAYWALK_LANE_TARGET inline unsigned rays_that_may_hit(const RayPacket& packet, c
         << first;
   }
   return ~missed & rays;
+}
+
+/// A bit for each of the pack's first `count` triangles, unless the `ray`-th certainly misses it or reaches it only
+/// beyond its t_far: as `sift` decides for the ray alone.
+RAYWALK_LANE_TARGET inline unsigned sift(const RayPacket& packet, unsigned ray, const TrianglePack& pack,
+                                         unsigned count) {
+  const RaysAbreast& of = packet.rays;
+  const Group t_far = all_of(packet.t_far[ray]);
+  const SiftedRay terms{{all_of(of.origin[0][ray]), all_of(of.origin[1][ray]), all_of(of.origin[2][ray])},
+                        {all_of(of.shear[0][ray]), all_of(of.shear[1][ray])},
+                        all_of(packet.forward),
+                        all_of(of.grain[ray]),
+                        all_of(0),
+                        reach_of(t_far, all_of(of.depth_per_t[ray]))};
+  unsigned certain;
+  return sift<false>(packet.axes, terms, pack, count, certain);
 }

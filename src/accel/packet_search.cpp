@@ -4,11 +4,7 @@
 
 namespace raywalk {
 
-PacketSearch::PacketSearch(const WideTree& tree, std::span<const MeshRay> rays, bool nearest_first)
-    : tree_(tree),
-      mesh_rays_(rays.data()),
-      packet_(rays),
-      advance_(lane_searches().together[nearest_first]),
-      begun_(tree.empty()) {}
+PacketSearch::PacketSearch(const WideTree& tree, const RaysAbreast& rays, unsigned members, bool nearest_first)
+    : tree_(tree), packet_(rays, members), advance_(lane_searches().together[nearest_first]), begun_(tree.empty()) {}
 
 }  // namespace raywalk

@@ -11,11 +11,11 @@ namespace raywalk {
 /// calls of `next`, the caller tests what was found for each ray.
 class PacketSearch {
  public:
-  /// Of rays that are coherent, RayPacket::most at most, which outlive this, as the tree does. `nearest_first`: whether
-  /// hits will shorten rays.
-  PacketSearch(const WideTree& tree, std::span<const MeshRay> rays, bool nearest_first);
+  /// `members`: a bit for each of the rays, which outlive this, as the tree does; they are coherent. `nearest_first`:
+  /// whether hits will shorten rays.
+  PacketSearch(const WideTree& tree, const RaysAbreast& rays, unsigned members, bool nearest_first);
 
-  /// To be called for each ray before the first `next`. t_far may only shrink.
+  /// To be called for each member before the first `next`. t_far may only shrink.
   template <class T>
   void set_far(unsigned ray, T t_far) {
     packet_.t_far[ray] = far_in_float(t_far);
@@ -44,7 +44,6 @@ class PacketSearch {
   };
 
   const WideTree& tree_;
-  const MeshRay* const mesh_rays_;
   RayPacket packet_;
   bool (*advance_)(PacketSearch&);
   const std::int32_t* ids_ = nullptr;

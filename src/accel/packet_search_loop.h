@@ -3,7 +3,6 @@
 
 #include "accel/packet_search.h"
 
-#include <algorithm>
 #include <bit>
 
 namespace raywalk {
@@ -13,7 +12,7 @@ struct PacketLoop {
   template <class Tests, bool nearest_first>
   [[gnu::always_inline]] static inline bool run(PacketSearch& search) {
     const RayPacket& packet = search.packet_;
-    const float t_far = *std::max_element(packet.t_far, packet.t_far + RayPacket::most);
+    const float t_far = packet.latest();
     const WideNode* const nodes = search.tree_.nodes();
     auto* const stack = search.stack_.data();
     std::size_t waiting = search.waiting_;
@@ -32,7 +31,7 @@ struct PacketLoop {
         stack[place] = {index, entry, rays};
       }
     };
-    if (!search.begun_) enter(0, packet.all());
+    if (!search.begun_) enter(0, packet.members);
     search.begun_ = true;
     while (waiting > 0 && t_far >= 0) {
       const auto top = stack[--waiting];
@@ -82,7 +81,7 @@ struct PacketLoop {
     } else {
       for (unsigned bits = rays; bits != 0; bits &= bits - 1) {
         const auto ray = static_cast<unsigned>(std::countr_zero(bits));
-        const unsigned candidates = Tests::sift(search.mesh_rays_[ray], packet.t_far[ray], *search.pack_, count);
+        const unsigned candidates = Tests::sift(packet, ray, *search.pack_, count);
         search.candidates_[ray] = static_cast<std::uint8_t>(candidates);
         search.rays_ |= unsigned{candidates != 0} << ray;
       }

@@ -102,11 +102,11 @@ class Primitives {
   /// as equal to none; a ray that departs from what one of them equals is recognised where it hits (unless_left).
   void find_equals(const std::vector<Bounds<T>>& boxes, const Stop& stop = {});
 
-  /// The nearest intersection in (0, t_max) of the ray with one primitive, in the ray's own t. `sheared`: the ray as
-  /// triangle tests need it, computed once for many tests.
+  /// The nearest intersection in (0, t_max) of the ray with one primitive, in the ray's own t. `sheared`: where the ray
+  /// is kept as triangle tests need it, computed once for many tests.
   template <class Explain = NoExplanation>
   [[nodiscard]] std::optional<Intersection<T>> intersect(int id, const Ray<T>& ray, T t_max, Explain&& explain = {},
-                                                         const std::optional<ShearedRay<T>>& sheared = {}) const {
+                                                         std::optional<ShearedRay<T>>* sheared = nullptr) const {
     // The most common primitives are tested inline.
     if (const auto* sphere = plain<Sphere<T>>(id))
       return raywalk::intersect(*sphere, ray, t_max, departed_part(ray, id), explain);
@@ -149,7 +149,7 @@ class Primitives {
   template <class Explain = NoExplanation>
   [[nodiscard]] std::optional<Intersection<T>> intersect(int id, const NaiveRay<T>& ray, T t_max,
                                                          Explain&& explain = {},
-                                                         const std::optional<ShearedRay<T>>& /*sheared*/ = {}) const {
+                                                         std::optional<ShearedRay<T>>* /*sheared*/ = nullptr) const {
     if (const auto* sphere = plain<Sphere<T>>(id)) return raywalk::intersect(*sphere, ray, t_max, no_part, explain);
     if (const auto* plane = plain<Plane<T>>(id)) return raywalk::intersect(*plane, ray, t_max, no_part, explain);
     const Motion* motion = motion_of(id);
@@ -260,12 +260,14 @@ class Primitives {
   // The next five are not inlined, so that the tracer's loops are the same with and without motion compiled in.
   template <class Explain>
   [[nodiscard, gnu::noinline]] std::optional<Intersection<T>> intersect_any(
-      int id, const Ray<T>& ray, T t_max, Explain&& explain, const std::optional<ShearedRay<T>>& sheared) const {
+      int id, const Ray<T>& ray, T t_max, Explain&& explain, std::optional<ShearedRay<T>>* sheared) const {
     // Asked of all triangles at once: where none moves, none is asked.
-    if (sheared && id >= shape_count() && !triangles_move_)
+    if (sheared != nullptr && id >= shape_count() && !triangles_move_) {
+      if (!*sheared) sheared->emplace(ray);
       return unless_left(id, ray, [&] {
-        return triangles_.intersect(id - shape_count(), *sheared, t_max, departed_part(ray, id), explain);
+        return triangles_.intersect(id - shape_count(), **sheared, t_max, departed_part(ray, id), explain);
       });
+    }
     if (const Motion* motion = motion_of(id)) return intersect_at_rest(id, at_rest(*motion, ray), t_max, explain);
     return intersect_at_rest(id, ray, t_max, explain);
   }

@@ -75,11 +75,8 @@ struct OfBodies {
 template <class T, class Accept, class AnyRay>
 class Query {
  public:
-  Query(const Primitives<T>& primitives, const AnyRay& ray, T t_max, TestCounts& counts, Accept accept)
-      : ray_(ray), t_max_(t_max), counts_(counts), accept_(accept) {
-    if constexpr (std::is_same_v<AnyRay, Ray<T>>)
-      if (primitives.triangles().size() > 0) sheared_.emplace(ray);
-  }
+  Query(const AnyRay& ray, T t_max, TestCounts& counts, Accept accept)
+      : ray_(ray), t_max_(t_max), counts_(counts), accept_(accept) {}
   void enter_node() { ++counts_.nodes; }
   /// Counts nodes that were entered, and tests that ruled out a primitive before its own test was needed.
   void count(std::uint64_t nodes, std::uint64_t ruled_out) {
@@ -87,8 +84,6 @@ class Query {
     counts_.primitives += ruled_out;
   }
   [[nodiscard]] const AnyRay& ray() const { return ray_; }
-  /// The ray as triangle tests need it; only where there are triangles.
-  [[nodiscard]] const ShearedRay<T>& sheared() const { return *sheared_; }
   [[nodiscard]] const TestCounts& counts() const { return counts_; }  ///< previous searches included
 
  protected:
@@ -96,24 +91,29 @@ class Query {
     if (!accept_(id)) return std::nullopt;
     ++counts_.primitives;
     // The full t_max, not the nearest t so far: a tie must be seen to be decided.
-    return primitives.intersect(id, ray_, t_max_, counts_, sheared_);
+    return primitives.intersect(id, ray_, t_max_, counts_, &sheared_);
   }
   /// The same for a triangle that neither moves nor is degenerate, given its coordinates (intersect_corners).
   template <class Coordinate>
   std::optional<Intersection<T>> intersect(const Primitives<T>& primitives, int id, const Coordinate& coordinate) {
     if (!accept_(id)) return std::nullopt;
     ++counts_.primitives;
-    return primitives.intersect_triangle(id, coordinate, *sheared_, ray_, t_max_, counts_);
+    return primitives.intersect_triangle(id, coordinate, sheared(), ray_, t_max_, counts_);
   }
   /// The same for the triangle of a copy, given as it is placed.
   std::optional<Intersection<T>> intersect(const Primitives<T>& primitives, int id, const Triangle<T>& placed) {
     if (!accept_(id)) return std::nullopt;
     ++counts_.primitives;
-    return primitives.intersect_copied(id, placed, *sheared_, ray_, t_max_, counts_);
+    return primitives.intersect_copied(id, placed, sheared(), ray_, t_max_, counts_);
+  }
+
+  const ShearedRay<T>& sheared() {
+    if (!sheared_) sheared_.emplace(ray_);
+    return *sheared_;
   }
 
   const AnyRay& ray_;
-  std::optional<ShearedRay<T>> sheared_;
+  std::optional<ShearedRay<T>> sheared_;  ///< the ray as triangle tests need it, from the first of them on
   T t_max_;
   TestCounts& counts_;
   Accept accept_;
@@ -124,8 +124,8 @@ template <class T, class Accept, class AnyRay>
 class ClosestQuery : public Query<T, Accept, AnyRay> {
  public:
   static constexpr bool shortens = true;  ///< each hit shortens t_far
-  ClosestQuery(const Primitives<T>& primitives, const AnyRay& ray, T t_max, TestCounts& counts, Accept accept)
-      : Query<T, Accept, AnyRay>(primitives, ray, t_max, counts, accept), t_far_(t_max) {}
+  ClosestQuery(const AnyRay& ray, T t_max, TestCounts& counts, Accept accept)
+      : Query<T, Accept, AnyRay>(ray, t_max, counts, accept), t_far_(t_max) {}
 
   /// Tests one primitive; true when the search is over. `triangle`: nothing, or what `cross` takes of a triangle.
   template <class... KnownTriangle>
@@ -158,8 +158,8 @@ template <class T, class AnyRay>
 class OcclusionQuery : public Query<T, AnyPrimitive, AnyRay> {
  public:
   static constexpr bool shortens = false;
-  OcclusionQuery(const Primitives<T>& primitives, const AnyRay& ray, T t_max, TestCounts& counts)
-      : Query<T, AnyPrimitive, AnyRay>(primitives, ray, t_max, counts, {}) {}
+  OcclusionQuery(const AnyRay& ray, T t_max, TestCounts& counts)
+      : Query<T, AnyPrimitive, AnyRay>(ray, t_max, counts, {}) {}
 
   template <class... KnownTriangle>
   bool test(const Primitives<T>& primitives, int id, const KnownTriangle&... triangle) {
@@ -188,9 +188,9 @@ template <class T, class AnyRay>
 class FilteredOcclusionQuery : public Query<T, AnyPrimitive, AnyRay> {
  public:
   static constexpr bool shortens = false;
-  FilteredOcclusionQuery(const Primitives<T>& primitives, const AnyRay& ray, T t_max, TestCounts& counts,
-                         const std::vector<ShadowRole>& roles, std::vector<int>& filters)
-      : Query<T, AnyPrimitive, AnyRay>(primitives, ray, t_max, counts, {}), roles_(roles), filters_(filters) {}
+  FilteredOcclusionQuery(const AnyRay& ray, T t_max, TestCounts& counts, const std::vector<ShadowRole>& roles,
+                         std::vector<int>& filters)
+      : Query<T, AnyPrimitive, AnyRay>(ray, t_max, counts, {}), roles_(roles), filters_(filters) {}
 
   template <class... KnownTriangle>
   bool test(const Primitives<T>& primitives, int id, const KnownTriangle&... triangle) {

@@ -53,14 +53,14 @@ template <class AnyRay, class Query>
 template <class T>
 template <class AnyRay, class Accept>
 std::optional<Hit<T>> Accelerator<T>::closest(const AnyRay& ray, T t_max, TestCounts& counts, Accept accept) const {
-  ClosestQuery<T, Accept, AnyRay> query(primitives_, ray, t_max, counts, accept);
+  ClosestQuery<T, Accept, AnyRay> query(ray, t_max, counts, accept);
   search(ray, query);
   return query.nearest();
 }
 
 template <class T>
 std::optional<Hit<T>> Accelerator<T>::closest_likely(const Ray<T>& ray, int likely, TestCounts& counts) const {
-  ClosestQuery<T, AnyPrimitive, Ray<T>> query(primitives_, ray, infinity<T>, counts, {});
+  ClosestQuery<T, AnyPrimitive, Ray<T>> query(ray, infinity<T>, counts, {});
   static_cast<void>(query.test(primitives_, likely));
   search(ray, query);
   return query.nearest();
@@ -82,7 +82,7 @@ inline bool Accelerator<T>::found(Query& query, const AnyRay& ray, const ShadowH
 template <class T>
 template <class AnyRay>
 bool Accelerator<T>::occluded(const AnyRay& ray, T t_max, TestCounts& counts, const ShadowHints& hints) const {
-  OcclusionQuery<T, AnyRay> query(primitives_, ray, t_max, counts);
+  OcclusionQuery<T, AnyRay> query(ray, t_max, counts);
   return found(query, ray, hints);
 }
 
@@ -92,7 +92,7 @@ bool Accelerator<T>::occluded_or_filtered(const AnyRay& ray, T t_max, TestCounts
                                           const std::vector<ShadowRole>& roles, std::vector<int>& filters,
                                           const ShadowHints& hints) const {
   filters.clear();
-  FilteredOcclusionQuery<T, AnyRay> query(primitives_, ray, t_max, counts, roles, filters);
+  FilteredOcclusionQuery<T, AnyRay> query(ray, t_max, counts, roles, filters);
   const bool stopped = found(query, ray, hints);
   if (filters.size() > 1) {
     std::sort(filters.begin(), filters.end());

@@ -43,10 +43,9 @@ struct InLanes {
                                                              unsigned lane, unsigned rays) {
     return RAYWALK_LANES::rays_that_may_hit(packet, pack, lane, rays);
   }
-  RAYWALK_LANE_CODE static inline unsigned sift(const MeshRay& ray, float t_far, const TrianglePack& pack,
+  RAYWALK_LANE_CODE static inline unsigned sift(const RayPacket& packet, unsigned ray, const TrianglePack& pack,
                                                 unsigned count) {
-    unsigned certain;
-    return RAYWALK_LANES::sift<false>(ray, RAYWALK_LANES::reach_of(ray, t_far), pack, count, certain);
+    return RAYWALK_LANES::sift(packet, ray, pack, count);
   }
 };
 

@@ -70,7 +70,7 @@ template <class AnyRay>
 std::optional<Hit<T>> WatchedAccelerator<T>::closest(const AnyRay& ray, T t_max, TestCounts& counts,
                                                      SearchRecord& record) const {
   using Query = ClosestQuery<T, AnyPrimitive, AnyRay>;
-  WatchedQuery<T, Query> query(record, primitives_, ray, t_max, counts, AnyPrimitive{});
+  WatchedQuery<T, Query> query(record, ray, t_max, counts, AnyPrimitive{});
   search(ray, query);
   record.ended(SearchEnd::all_seen);
   return query.nearest();
@@ -86,11 +86,11 @@ bool WatchedAccelerator<T>::occluded(const AnyRay& ray, T t_max, TestCounts& cou
     return query.found();
   };
   if (roles.empty()) {
-    WatchedQuery<T, OcclusionQuery<T, AnyRay>> query(record, primitives_, ray, t_max, counts);
+    WatchedQuery<T, OcclusionQuery<T, AnyRay>> query(record, ray, t_max, counts);
     return watch(query);
   }
   std::vector<int> filters;
-  WatchedQuery<T, FilteredOcclusionQuery<T, AnyRay>> query(record, primitives_, ray, t_max, counts, roles, filters);
+  WatchedQuery<T, FilteredOcclusionQuery<T, AnyRay>> query(record, ray, t_max, counts, roles, filters);
   query.set_roles(roles);
   return watch(query);
 }

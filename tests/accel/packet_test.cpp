@@ -3,6 +3,8 @@
 // pass, its packet's test lets pass.
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -131,17 +133,21 @@ TEST_CASE("a packet's test lets pass each box that a ray's own test lets pass, a
     const double spread = std::pow(10.0, -next.integer(0, 5)), size = std::abs(of_any_size());
     const Vec3d slope(next.real(0.1, 1), next.real(0.1, 1), next.real(1e-3, 1));
     std::vector<MeshRay> rays;
-    const auto count = static_cast<std::size_t>(next.integer(1, 16));
+    std::vector<Ray<float>> plain;
+    const auto count = static_cast<unsigned>(next.integer(1, 16));
     while (rays.size() < count) {
       Ray<float> ray;
       for (int axis = 0; axis < 3; ++axis) {
         ray.origin[axis] = static_cast<float>(size * (-2 * sign[axis] + spread * next.real()));
         ray.direction[axis] = static_cast<float>(sign[axis] * slope[axis] * (1 + spread * next.real(-0.9, 5)));
       }
-      rays.emplace_back(ray, ShearedRay<float>(ray));
-      REQUIRE(RayPacket::alike(rays[0], rays.back()));
+      rays.emplace_back(ray), plain.push_back(ray);
     }
-    RayPacket packet(rays);
+    const RaysAbreast abreast(count, [&](unsigned i) { return plain[i]; });
+    // Not all of them, at times.
+    const unsigned alike = abreast.alike(0), some = alike & static_cast<unsigned>(next.integer(0, 0xffff));
+    const unsigned members = next.integer(0, 1) == 0 || some == 0 ? alike : some;
+    RayPacket packet(abreast, members);
     WideNode node{};
     node.count = static_cast<std::uint32_t>(next.integer(1, 8));
     for (unsigned lane = 0; lane < tree_width; ++lane)
@@ -167,6 +173,7 @@ TEST_CASE("a packet's test lets pass each box that a ray's own test lets pass, a
     }
     float most = 0;
     for (unsigned i = 0; i < count; ++i) {
+      if ((members >> i & 1) == 0) continue;
       packet.t_far[i] = next.integer(0, 2) == 0 ? static_cast<float>(size * next.real(0, 4)) : infinity<float>;
       most = std::max(most, packet.t_far[i]);
     }
@@ -174,6 +181,7 @@ TEST_CASE("a packet's test lets pass each box that a ray's own test lets pass, a
     const unsigned bits = four::meet(packet, most, node, together);
     std::vector<unsigned> by_box(tree_width, 0);
     for (unsigned i = 0; i < count; ++i) {
+      if ((members >> i & 1) == 0) continue;
       four::HeldRay held;
       four::hold(rays[i], packet.t_far[i], held);
       const unsigned own = four::meet(held, node, alone);
@@ -186,7 +194,7 @@ TEST_CASE("a packet's test lets pass each box that a ray's own test lets pass, a
       }
     }
     for (unsigned lane = 0; lane < node.count; ++lane)
-      others += four::rays_that_meet(packet, node, lane, packet.all()) != by_box[lane];
+      others += four::rays_that_meet(packet, node, lane, members) != by_box[lane];
   }
   CHECK(lost == 0);
   CHECK(late == 0);
@@ -200,6 +208,7 @@ TEST_CASE("a packet's rays rule out the triangles that each of them rules out al
   for (int round = 0; round < rounds(3000); ++round) {
     const double size = std::ldexp(1.0, next.integer(-30, 30)), spread = std::pow(10.0, -next.integer(1, 4));
     const Vec3d eye = size * next.unit<double>(), target = 0.3 * size * next.in_box<double>();
+    std::vector<Ray<double>> plain;
     std::vector<MeshRay> rays;
     std::vector<Vec3d> ends;
     const auto count = static_cast<std::size_t>(next.integer(1, 16));
@@ -208,12 +217,15 @@ TEST_CASE("a packet's rays rule out the triangles that each of them rules out al
       const Vec3d end = target + size * spread * next.in_box<double>();
       const Vec3d from = end + (next.integer(0, 2) == 0 ? 50.0 : 1.0) * (eye - end);
       const Ray<double> ray{from, end - from};
-      const MeshRay lanes(ray, ShearedRay<double>(ray));
-      if (!rays.empty() && !RayPacket::coherent(rays[0], lanes, infinity<float>)) continue;
-      rays.push_back(lanes), ends.push_back(end);
+      const std::array pair{rays.empty() ? ray : plain[0], ray};
+      if (RaysAbreast(2, [&](unsigned i) { return pair[i]; }).coherent(0, infinity<float>) != 3) continue;
+      plain.push_back(ray), rays.emplace_back(ray), ends.push_back(end);
     }
-    if (!rays[0].held) continue;
-    RayPacket packet(rays);
+    if (rays.empty()) continue;
+    const RaysAbreast abreast(static_cast<unsigned>(rays.size()), [&](unsigned i) { return plain[i]; });
+    const unsigned all = abreast.coherent(0, infinity<float>);
+    REQUIRE(all == (1U << rays.size()) - 1);
+    RayPacket packet(abreast, all);
     for (unsigned i = 0; i < rays.size(); ++i)
       packet.t_far[i] = next.integer(0, 1) == 0 ? static_cast<float>(next.real(0, 2)) : infinity<float>;
     TrianglePack pack{};
@@ -228,7 +240,7 @@ TEST_CASE("a packet's rays rule out the triangles that each of them rules out al
         for (int axis = 0; axis < 3; ++axis) pack.corners[corner][axis][lane] = static_cast<float>(place[axis]);
       }
     }
-    const auto asked = static_cast<unsigned>(next.integer(1, 0xffff)) & packet.all();
+    const auto asked = static_cast<unsigned>(next.integer(1, 0xffff)) & all;
     std::vector<unsigned> alone(rays.size(), 0);
     for (unsigned i = 0; i < rays.size(); ++i) {
       unsigned certain = 0;
@@ -269,23 +281,69 @@ TEST_CASE("coherent rays that are searched together meet about the nodes that th
 }
 
 TEST_CASE("packets hold rays whose slopes have the same signs, and coherent ones go nearly the same way", "[accel]") {
-  const auto of = [](const Vec3<float>& from, const Vec3<float>& direction) {
-    const Ray<float> ray{from, direction};
-    return MeshRay(ray, ShearedRay<float>(ray));
+  using From = Vec3<float>;
+  const auto of = [](const Ray<float>& a, const Ray<float>& b) {
+    return RaysAbreast(2, [&](unsigned i) { return i == 0 ? a : b; });
   };
-  const MeshRay ray = of({0, 0, 0}, {0.1F, 0.2F, 1});
-  CHECK(RayPacket::coherent(ray, ray, 1));
-  CHECK(RayPacket::coherent(ray, of({0, 0.5F, 0}, {0.2F, 0.4F, 2.2F}), 1));
-  CHECK_FALSE(RayPacket::coherent(ray, of({0, 2, 0}, {0.1F, 0.2F, 1}), 1));
-  CHECK_FALSE(RayPacket::coherent(ray, of({0, 0, 0}, {0.1F, 0.9F, 1}), 1));
-  CHECK(RayPacket::alike(ray, of({0, 0, 0}, {0.1F, 0.9F, 1})));
+  const auto coherent = [&](const Ray<float>& a, const Ray<float>& b) { return of(a, b).coherent(0, 1) == 3; };
+  const auto alike = [&](const Ray<float>& a, const Ray<float>& b) { return of(a, b).alike(0) == 3; };
+  const Ray<float> ray{From(0), {0.1F, 0.2F, 1}};
+  CHECK(coherent(ray, ray));
+  CHECK(coherent(ray, {{0, 0.5F, 0}, {0.2F, 0.4F, 2.2F}}));
+  CHECK_FALSE(coherent(ray, {{0, 2, 0}, {0.1F, 0.2F, 1}}));
+  CHECK_FALSE(coherent(ray, {From(0), {0.1F, 0.9F, 1}}));
+  CHECK(alike(ray, {From(0), {0.1F, 0.9F, 1}}));
+  CHECK_FALSE(alike(ray, {From(0), {0.1F, 1.1F, 1}}));  // another axis becomes z
+  CHECK_FALSE(alike(ray, {From(2e18F, 0, 0), {0.1F, 0.9F, 1}}));
   for (const float other : {-0.01F, 0.0F, -0.0F, 1e-30F, std::numeric_limits<float>::quiet_NaN()}) {
     CAPTURE(other);
-    CHECK_FALSE(RayPacket::alike(ray, of({0, 0, 0}, {0.1F, other, 1})));
-    CHECK_FALSE(RayPacket::alike(of({0, 0, 0}, {other, 0.2F, 1}), ray));
-    const MeshRay odd = of({0, 0, 0}, {other, 0.2F, 1});
-    CHECK(RayPacket::alike(odd, odd) == (other < 0));
+    const Ray<float> odd{From(0), {other, 0.2F, 1}};
+    CHECK_FALSE(alike(ray, {From(0), {0.1F, other, 1}}));
+    CHECK_FALSE(alike(odd, ray));
+    CHECK(alike(odd, odd) == (other < 0));
   }
+}
+
+TEMPLATE_TEST_CASE("rays abreast are, bit for bit, what each is alone", "[accel]", float, double) {
+  using T = TestType;
+  Numbers next(3);
+  int differing = 0, valid = 0, others = 0;
+  const auto of_any_size = [&] { return static_cast<T>(std::ldexp(next.real(-1, 1), next.integer(-64, 64))); };
+  for (int round = 0; round < rounds(3000); ++round) {
+    const auto count = static_cast<unsigned>(next.integer(1, 16));
+    std::vector<Ray<T>> rays(count);
+    for (Ray<T>& ray : rays)
+      for (int axis = 0; axis < 3; ++axis) {
+        ray.origin[axis] = of_any_size();
+        ray.direction[axis] = next.integer(0, 9) == 0 ? (next.integer(0, 1) == 0 ? T(0) : -T(0)) : of_any_size();
+      }
+    const RaysAbreast abreast(count, [&](unsigned i) { return rays[i]; });
+    for (unsigned i = 0; i < count; ++i) {
+      const MeshRay alone(rays[i]);
+      const Vec3<T>& slope = rays[i].direction;
+      const bool flat = slope.x == 0 || slope.y == 0 || slope.z == 0;
+      if (abreast.kind[i] < 0 || !alone.held) {
+        others += (abreast.kind[i] < 0) != (!alone.held || flat);
+        continue;
+      }
+      ++valid;
+      const auto same = [&](float a, float b) { differing += std::bit_cast<int>(a) != std::bit_cast<int>(b); };
+      for (int axis = 0; axis < 3; ++axis) {
+        same(abreast.from_in[axis][i], alone.from_in[axis]), same(abreast.from_out[axis][i], alone.from_out[axis]);
+        same(abreast.inverse[axis][i], alone.inverse[axis]), same(abreast.origin[axis][i], alone.origin[axis]);
+      }
+      same(abreast.shear[0][i], alone.shear[0]), same(abreast.shear[1][i], alone.shear[1]);
+      same(abreast.grain[i], alone.grain), same(abreast.depth_per_t[i], alone.depth_per_t);
+      const RayPacket packet(abreast, 1U << i);
+      same(packet.forward, alone.forward);
+      for (int axis = 0; axis < 3; ++axis)
+        differing += packet.near[axis] != alone.near[axis] || packet.far[axis] != alone.far[axis] ||
+                     packet.axes[axis] != alone.axes[axis];
+    }
+  }
+  CHECK(differing == 0);
+  CHECK(others == 0);
+  CHECK(valid > rounds(3000));
 }
 
 TEMPLATE_TEST_CASE("the library's batches skip queries that mean nothing", "[accel]", float, double) {
