@@ -87,8 +87,7 @@ std::uint32_t between(std::uint32_t begin, std::uint32_t end, std::uint32_t rand
 }
 
 std::uint32_t reversed(std::uint32_t x) {
-  x = x << 16 | x >> 16;
-  x = (x & 0x00ff00ffu) << 8 | (x & 0xff00ff00u) >> 8;
+  x = __builtin_bswap32(x);
   x = (x & 0x0f0f0f0fu) << 4 | (x & 0xf0f0f0f0u) >> 4;
   x = (x & 0x33333333u) << 2 | (x & 0xccccccccu) >> 2;
   return (x & 0x55555555u) << 1 | (x & 0xaaaaaaaau) >> 1;
@@ -119,10 +118,10 @@ std::uint32_t second_digits(std::uint32_t index) {
   return index ^ index >> 16;
 }
 
-/// The index of this sample's point: shuffled, so that dimension pairs are uncorrelated, while aligned blocks of 2^m
-/// stay together (B. Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020).
-std::uint32_t shuffled_index(const RandomKey& key) {
-  return reversed(owen_scrambled(reversed(key.sample), stream(key, 1)));
+/// The index of a sample's point: shuffled, so that dimension pairs are uncorrelated, while aligned blocks of 2^m stay
+/// together (B. Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020).
+std::uint32_t shuffled_index(std::uint32_t sample, std::uint32_t seed) {
+  return reversed(owen_scrambled(reversed(sample), seed));
 }
 
 }  // namespace
@@ -135,13 +134,17 @@ std::uint32_t draw_jittered(const RandomKey& key, std::uint32_t count) {
 }
 
 std::uint32_t draw_sobol(const RandomKey& key) {
-  return reversed(owen_scrambled(shuffled_index(key), stream(key, 2))) >> (32 - unit_bits);
+  return reversed(owen_scrambled(shuffled_index(key.sample, stream(key, 1)), stream(key, 2))) >> (32 - unit_bits);
 }
 
-DrawnPair draw_sobol_pair(const RandomKey& key) {
-  const std::uint32_t index = shuffled_index(key);
-  const std::uint32_t u = owen_scrambled(index, stream(key, 2));
-  const std::uint32_t v = owen_scrambled(second_digits(index), stream(key, 3));
+SobolPairs::SobolPairs(const RandomKey& key)
+    : shuffle_(stream(key, 1)), scramble_u_(stream(key, 2)), scramble_v_(stream(key, 3)) {}
+
+DrawnPair draw_sobol_pair(const RandomKey& key) { return SobolPairs(key).drawn(key.sample); }
+
+DrawnPair SobolPairs::drawn(std::uint32_t sample) const {
+  const std::uint32_t index = shuffled_index(sample, shuffle_);
+  const std::uint32_t u = owen_scrambled(index, scramble_u_), v = owen_scrambled(second_digits(index), scramble_v_);
   return {reversed(u) >> (32 - unit_bits), reversed(v) >> (32 - unit_bits)};
 }
 
@@ -174,17 +177,14 @@ Strata::Order Strata::order(std::uint64_t bits) const {
 }
 
 SamplePairs::SamplePairs(Sampler sampler, const RandomKey& key, const Strata& strata)
-    : sampler_(sampler), key_(key), branch_(detail::branch_bits(key)), strata_(&strata) {
+    : sampler_(sampler), dimension_(key.dimension), branch_(detail::branch_bits(key)), strata_(&strata) {
   if (sampler == Sampler::jittered) order_ = strata.order(detail::wide_stream(key, 0));
+  if (sampler == Sampler::sobol) sobol_ = detail::SobolPairs(key);
 }
 
 detail::DrawnPair SamplePairs::drawn(std::uint32_t sample) const {
-  if (sampler_ == Sampler::sobol) {
-    RandomKey key = key_;
-    key.sample = sample;
-    return detail::draw_sobol_pair(key);
-  }
-  const auto [u, v] = detail::draw_random_pair(detail::common_bits(branch_, sample), key_.dimension);
+  if (sampler_ == Sampler::sobol) return sobol_.drawn(sample);
+  const auto [u, v] = detail::draw_random_pair(detail::common_bits(branch_, sample), dimension_);
   if (sampler_ == Sampler::random) return {u, v};
   const std::uint32_t edge = strata_->edge();
   if (sample >= edge * edge) return {u, v};

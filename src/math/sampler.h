@@ -75,9 +75,24 @@ struct DrawnPair {
 [[nodiscard]] std::uint32_t draw_sobol(const RandomKey& key);
 [[nodiscard]] DrawnPair draw_sobol_pair(const RandomKey& key);
 
+/// The pairs of Sampler::sobol for one key: what its samples have in common is computed once.
+class SobolPairs {
+ public:
+  SobolPairs() = default;
+  explicit SobolPairs(const RandomKey& key);
+  [[nodiscard]] DrawnPair drawn(std::uint32_t sample) const;
+
+ private:
+  std::uint32_t shuffle_ = 0, scramble_u_ = 0, scramble_v_ = 0;
+};
+
 template <class T>
 [[nodiscard]] constexpr T unit_of(std::uint32_t drawn) {
   return static_cast<T>(drawn) * static_cast<T>(1.0 / 16777216.0);
+}
+template <class T>
+[[nodiscard]] constexpr Vec2<T> units_of(const DrawnPair& drawn) {
+  return {unit_of<T>(drawn.u), unit_of<T>(drawn.v)};
 }
 
 }  // namespace detail
@@ -107,16 +122,16 @@ class SamplePairs {
 
   template <class T>
   [[nodiscard]] Vec2<T> draw(std::uint32_t sample) const {
-    const detail::DrawnPair pair = drawn(sample);
-    return {detail::unit_of<T>(pair.u), detail::unit_of<T>(pair.v)};
+    return detail::units_of<T>(drawn(sample));
   }
 
  private:
   [[nodiscard]] detail::DrawnPair drawn(std::uint32_t sample) const;
 
   Sampler sampler_ = Sampler::random;
-  RandomKey key_;
+  std::uint32_t dimension_ = 0;
   std::uint64_t branch_ = 0;
+  detail::SobolPairs sobol_;
   const Strata* strata_ = nullptr;
   Strata::Order order_;
 };
@@ -125,6 +140,7 @@ class SamplePairs {
 template <class T>
 [[nodiscard, gnu::always_inline]] inline Vec2<T> draw_pair(Sampler sampler, const RandomKey& key,
                                                            const Strata& strata) {
+  if (sampler == Sampler::sobol) return detail::units_of<T>(detail::draw_sobol_pair(key));
   return SamplePairs(sampler, key, strata).draw<T>(key.sample);
 }
 
@@ -137,8 +153,7 @@ class RandomPairs {
   /// As draw_pair of the key with this dimension.
   template <class T>
   [[nodiscard]] Vec2<T> draw(std::uint32_t dimension) const {
-    const detail::DrawnPair drawn = detail::draw_random_pair(common_, dimension);
-    return {detail::unit_of<T>(drawn.u), detail::unit_of<T>(drawn.v)};
+    return detail::units_of<T>(detail::draw_random_pair(common_, dimension));
   }
 
  private:
