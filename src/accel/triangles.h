@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -152,7 +153,8 @@ class Triangles {
   std::vector<Vec2<T>> uv_;            ///< by vertex; empty when no mesh has any
   std::vector<std::uint8_t> has_uv_;   ///< by vertex, with uv_
   std::vector<MeshCopy> copies_;
-  T largest_ = 0;  ///< at least `largest_of` each corner
+  std::map<const Mesh*, Vec3d> sizes_;  ///< of copied meshes: the largest coordinates, without their signs
+  T largest_ = 0;                       ///< at least `largest_of` each corner
   int own_size_ = 0, size_ = 0;
 };
 
@@ -184,8 +186,13 @@ void Triangles<T>::add(const Mesh& mesh, const Affine<double>& to_world, bool sm
 template <class T>
 void Triangles<T>::add_copy(std::shared_ptr<const Mesh> mesh, const Affine<double>& to_world, bool smooth) {
   copies_.push_back({std::move(mesh), to_world, smooth, to_world.determinant() < 0, size_});
-  size_ += static_cast<int>(copies_.back().mesh->triangles.size());
-  largest_ = std::numeric_limits<T>::infinity();
+  const MeshCopy& copy = copies_.back();
+  size_ += static_cast<int>(copy.mesh->triangles.size());
+  const auto [found, is_new] = sizes_.try_emplace(copy.mesh.get());
+  if (is_new) found->second = largest_coordinates(bounds(*copy.mesh));
+  constexpr T rounded = 1 + 16 * std::numeric_limits<T>::epsilon();
+  const Vec3d placed = term_sizes(to_world, found->second) + absolute(to_world.move);
+  largest_ = std::max(largest_, static_cast<T>(max_component(placed)) * rounded);
 }
 
 template <class T>

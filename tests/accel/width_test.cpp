@@ -97,17 +97,19 @@ TEMPLATE_TEST_CASE("a ray that leaves a triangle does not hit its neighbour wher
                    "[accel]", float, double) {
   using T = TestType;
   const bool copied = GENERATE(false, true);
-  CAPTURE(copied);
+  const double size = GENERATE(1.0, 1024.0);
+  CAPTURE(copied, size);
+  const Affine<double> place = scaling(Vec3d(size));
   // Two sides of a valley along y: level to the left, rising to the right.
   Mesh valley;
   valley.positions = {{0, -1, 0}, {0, 1, 0}, {-1, 0, 0}, {1, 0, 0.5}};
   valley.triangles = {{0, 1, 2}, {0, 3, 1}};
   Primitives<T> all;
   if (copied)
-    all.add_copy(std::make_shared<const Mesh>(valley), {}, false);
+    all.add_copy(std::make_shared<const Mesh>(valley), place, false);
   else
-    all.add(valley, {}, false);
-  const T tiny = std::numeric_limits<T>::epsilon() / 4, far = T(1) / 1024;
+    all.add(valley, place, false);
+  const T tiny = std::numeric_limits<T>::epsilon() / 4 * static_cast<T>(size), far = static_cast<T>(size / 1024);
   const auto hit = [&](T beyond_edge, int departed) {
     Ray<T> ray{{beyond_edge, 0, 0}, {T(0.125), 0, 1}};
     if (departed >= 0) ray.departure = {departed, 0};

@@ -132,6 +132,7 @@ mutant triangles_behind_too_early accel accel/lane_tests.h '(at < -slack)' '(at 
 mutant triangles_beyond_without_slack accel accel/lane_tests.h 'at - slack > ray.reach * wide' 'at + slack > ray.reach * area'
 mutant packs_taken_for_exact widths accel/wide_tree.h 'packs_are_exact_ = false' 'packs_are_exact_ = true'
 mutant edge_left_unseen widths accel/triangles.h 'way > rounding * std::max(largest_, start)' 'way > rounding * start / 64'
+mutant edge_left_unseen_of_copies widths accel/triangles.h 'term_sizes(to_world, found->second) + ' ''
 mutant certain_at_an_edge widths accel/lane_tests.h '(min(u, min(v, w)) > error)' '(min(u, min(v, w)) > -error)'
 mutant certain_beyond_the_light widths accel/lane_tests.h 'at + slack < short_of_it * narrow' 'at - slack < ray.reach * wide'
 mutant certain_of_the_departed widths accel/primitives.h '(departed != id && !any_equal_' '(!any_equal_'
