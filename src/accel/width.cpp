@@ -1,7 +1,6 @@
 #include "accel/width.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cassert>
 
 namespace raywalk {
@@ -19,10 +18,7 @@ std::vector<LaneWidth> asked_of_processor() {
   return widths;
 }
 
-std::atomic<LaneWidth>& width_in_use() {
-  static std::atomic<LaneWidth> width{lane_widths().back()};
-  return width;
-}
+thread_local constinit std::optional<LaneWidth> forced_width;
 
 }  // namespace
 
@@ -31,13 +27,16 @@ const std::vector<LaneWidth>& lane_widths() {
   return widths;
 }
 
-LaneWidth lane_width() { return width_in_use().load(std::memory_order_relaxed); }
-
-ForcedWidth::ForcedWidth(LaneWidth width) : before_(lane_width()) {
-  assert(std::count(lane_widths().begin(), lane_widths().end(), width) == 1);
-  width_in_use().store(width, std::memory_order_relaxed);
+LaneWidth lane_width() {
+  static const LaneWidth widest = lane_widths().back();
+  return forced_width.value_or(widest);
 }
 
-ForcedWidth::~ForcedWidth() { width_in_use().store(before_, std::memory_order_relaxed); }
+ForcedWidth::ForcedWidth(LaneWidth width) : before_(forced_width) {
+  assert(std::count(lane_widths().begin(), lane_widths().end(), width) == 1);
+  forced_width = width;
+}
+
+ForcedWidth::~ForcedWidth() { forced_width = before_; }
 
 }  // namespace raywalk

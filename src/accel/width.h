@@ -4,6 +4,7 @@
 
 #include "math/words.h"
 
+#include <optional>
 #include <vector>
 
 namespace raywalk {
@@ -18,10 +19,11 @@ inline constexpr Word<LaneWidth> words_of<LaneWidth>[] = {
 /// The widths that this processor has, narrowest first; asked once.
 [[nodiscard]] const std::vector<LaneWidth>& lane_widths();
 
-/// The width that searches take: the widest, unless another is forced. May be called from any thread.
+/// The width that this thread's searches take: the widest, unless another is forced.
 [[nodiscard]] LaneWidth lane_width();
 
-/// For tests and benchmarks: searches begun from now on take `width`, one of `lane_widths`, until this ends.
+/// For tests and benchmarks: searches that this thread begins from now on take `width`, one of `lane_widths`, until
+/// this ends.
 class ForcedWidth {
  public:
   explicit ForcedWidth(LaneWidth width);
@@ -30,7 +32,7 @@ class ForcedWidth {
   ForcedWidth& operator=(const ForcedWidth&) = delete;
 
  private:
-  LaneWidth before_;
+  std::optional<LaneWidth> before_;
 };
 
 }  // namespace raywalk

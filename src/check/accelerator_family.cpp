@@ -1,10 +1,13 @@
 #include "accel/accelerator.h"
+#include "accel/width.h"
 #include "check/aim.h"
 #include "check/family.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <string>
 
 namespace raywalk::check {
 
@@ -193,11 +196,13 @@ Tally compare_packets(std::uint64_t seed, std::uint64_t first, std::uint64_t cou
       const auto expected = plain->closest(rays[i], t_max[i], counts);
       ++tally.rays;
       tally.hits += expected.has_value();
-      const std::optional<Hit<T>>& got = hits[i];
-      const bool same = expected && got ? got->t == expected->t && got->primitive == expected->primitive &&
-                                              got->part == expected->part
-                                        : !expected && !got;
-      tally.unequal += !same || blocked[i] != expected.has_value();
+      const auto same = [&](const std::optional<Hit<T>>& got) {
+        return expected && got
+                   ? got->t == expected->t && got->primitive == expected->primitive && got->part == expected->part
+                   : !expected && !got;
+      };
+      tally.unequal +=
+          !same(hits[i]) || !same(structure->closest(rays[i], t_max[i], counts)) || blocked[i] != expected.has_value();
     }
   }
   return tally;
@@ -207,24 +212,33 @@ Tally compare_packets(std::uint64_t seed, std::uint64_t first, std::uint64_t cou
 
 Family accelerator_family() {
   Family family{"accelerators", "", {}};
-  const auto add = [&](std::string name, const char* scalar, auto run, AcceleratorKind kind, bool copies) {
-    family.lines.push_back({std::move(name),
-                            scalar,
-                            [run, kind, copies](std::uint64_t seed, std::uint64_t first, std::uint64_t count) {
-                              return run(kind, copies, seed, first, count);
-                            },
-                            {}});
+  using Run = std::function<Tally(std::uint64_t seed, std::uint64_t first, std::uint64_t count)>;
+  const auto both = [&](const std::string& name, const Run& in_float, const Run& in_double) {
+    family.lines.push_back({name, "float", in_float, {}});
+    family.lines.push_back({name, "double", in_double, {}});
+  };
+  const auto against_none = [](auto run, AcceleratorKind kind, bool copies) -> Run {
+    return [=](std::uint64_t seed, std::uint64_t first, std::uint64_t count) {
+      return run(kind, copies, seed, first, count);
+    };
   };
   for (const AcceleratorKind kind : {AcceleratorKind::bvh, AcceleratorKind::grid, AcceleratorKind::octree,
                                      AcceleratorKind::kdtree, AcceleratorKind::none}) {
     const std::string name(kind == AcceleratorKind::none ? "permuted" : name_of(kind));
-    add(name, "float", compare<float>, kind, false);
-    add(name, "double", compare<double>, kind, false);
+    both(name, against_none(compare<float>, kind, false), against_none(compare<double>, kind, false));
   }
-  add("copies of meshes", "float", compare<float>, AcceleratorKind::bvh, true);
-  add("copies of meshes", "double", compare<double>, AcceleratorKind::bvh, true);
-  family.lines.push_back({"packets of rays", "float", compare_packets<float>, {}});
-  family.lines.push_back({"packets of rays", "double", compare_packets<double>, {}});
+  for (const LaneWidth width : lane_widths()) {
+    const auto by_width = [width](const Run& run) -> Run {
+      return [=](std::uint64_t seed, std::uint64_t first, std::uint64_t count) {
+        const ForcedWidth forced(width);
+        return run(seed, first, count);
+      };
+    };
+    const std::string lanes = ", by " + std::string(name_of(width));
+    both("copies" + lanes, by_width(against_none(compare<float>, AcceleratorKind::bvh, true)),
+         by_width(against_none(compare<double>, AcceleratorKind::bvh, true)));
+    both("packets" + lanes, by_width(compare_packets<float>), by_width(compare_packets<double>));
+  }
   return family;
 }
 
