@@ -72,9 +72,10 @@ void draw_row(const Ui& ui, const CodeRow& row, const Rect& where) {
   if (row.next) draw.AddRect(least, most, to_imgui(ui.colours.next), rounding, 0, std::max(ui.px(1.5f), 1.0f));
   if (row.blame != Blame::none) draw_blame(ui, row.blame, {least.x, where.y, most.x - least.x, where.height});
   ImFont* font = row.just_run ? ui.fonts.code_strong : ui.fonts.code;
-  const float height = line_height(ui.fonts, *font);
+  // From the tops of capitals to the feet of p and y, letters are a sixteenth below the middle of a font's line.
+  const float top = y - line_height(ui.fonts, *font) * (0.5f + 0.0625f);
   push_font(font);
-  draw.AddText({std::round(least.x + ui.px(7 + indent * static_cast<float>(row.indent))), std::round(y - height / 2)},
+  draw.AddText({std::round(least.x + ui.px(7 + indent * static_cast<float>(row.indent))), std::round(top)},
                to_imgui(ui.colours.text), row.text.c_str());
   pop_font();
 }

@@ -150,3 +150,27 @@ TEST_CASE("what does not scroll is left to other uses of a finger") {
   CHECK_FALSE(scroll_at({plan.x + plan.width / 2, plan.y + plan.height / 2}, 20));
   CHECK_FALSE(scroll_at({-50, -50}, 20));
 }
+
+TEST_CASE("the letters of a line of code stand in its middle, from capitals to the feet of p and y") {
+  State state = classic();
+  update(state, action::SetMode{Mode::trace});
+  Bench bench(std::move(state), 1280, 720, find_fonts(font_folders("")));
+  for (const float unit : {1.0f, 1.25f, 2.0f}) {
+    bench.unit = unit;
+    bench.resize(1280 * unit, 720 * unit);
+    bench.frames(2);
+    const Rect line = bench.rect("line-" + std::to_string(static_cast<int>(Line::form_reflect_ray)));
+    float top = line.bottom(), bottom = line.y;
+    for (const Drawn& drawn : drawn_in("code")) {
+      const float middle = (drawn.top + drawn.bottom) / 2;
+      if (middle < line.y || middle > line.bottom() || drawn.bottom - drawn.top > line.height || drawn.left < line.x)
+        continue;
+      top = std::min(top, drawn.top), bottom = std::max(bottom, drawn.bottom);
+    }
+    CAPTURE(unit, line.y, top, bottom, line.bottom());
+    REQUIRE(bottom - top > 8 * unit);
+    CHECK(top - line.y > unit);
+    CHECK(line.bottom() - bottom > unit);
+    CHECK(std::abs((top - line.y) - (line.bottom() - bottom)) <= 1.5f * unit);
+  }
+}
