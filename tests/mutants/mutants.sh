@@ -114,7 +114,6 @@ mutant packet_of_mixed_signs packets accel/ray_packet.h 'signs |= (' 'signs &= (
 mutant packet_slopes_of_zero packets accel/ray_packet.h '&& finite())' ')'
 mutant packet_bounds_of_others packets accel/ray_packet.h 'own(values, 0), high = low' 'all_lanes(values[first]), high = low'
 mutant packet_of_another_kind packets accel/ray_packet.h 'is_kind(which, group) & within(shear[0]' 'within(shear[0]'
-mutant packet_rays_of_doubles_taken_for_exact packets accel/mesh_ray.h '(rounds ? size : Float{})' 'Float{}'
 mutant packet_shortens_all packets accel/packet_search_loop.h 'packet.latest()' 'packet.t_far[0]'
 mutant packet_grain_of_one_ray packets accel/packet_lane_tests.h 'loaded(of.grain + first)' 'all_of(of.grain[0])'
 mutant packet_inverse_of_one_ray packets accel/packet_lane_tests.h 'min(max(far * least, far * most), leaves)' 'min(min(far * least, far * most), leaves)'

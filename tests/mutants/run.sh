@@ -41,17 +41,17 @@ suspect() {
 verdict() {
   local log=$work/$1.log program=("$(suspect "$2")" "$root/tests/mutants/suspects.cpp") libraries=(-lgmpxx -lgmp)
   # Whatever concerns no crossing has to get past a test of its own.
-  [[ $2 == accel || $2 == mesh ]] && program+=("$4"/src/accel/{binary_tree,mesh_copies,lane_searches,packet_search,reinsertion,search_record,searches_eight,searches_four,searches_masked,spatial_split,structures,wide_search,wide_tree,width}.cpp "$4/src/shape/mesh.cpp")
+  [[ $2 == accel || $2 == mesh ]] && program+=("$4"/src/accel/{binary_tree,mesh_copies,lane_searches,packet_search,reinsertion,search_record,searches_eight,searches_four,searches_masked,spatial_split,structures,wide_search,wide_tree,width}.cpp)
   [[ $2 == splits ]] && program=("-I$root/tests" "$root/tests/accel/wide_tree_test.cpp" "$4"/src/accel/{binary_tree,reinsertion,search_record,spatial_split,wide_tree}.cpp) \
     libraries=("${catch2[@]}")
   [[ $2 == copies ]] && program=("-I$root/tests" "$root/tests/accel/copies_test.cpp" \
-    "$4"/src/accel/{accelerator,accelerator_float,accelerator_naive,binary_tree,mesh_copies,lane_searches,packet_search,reinsertion,search_record,searches_eight,searches_four,searches_masked,spatial_split,structures,watched,wide_search,wide_tree,width}.cpp "$4/src/shape/mesh.cpp") \
+    "$4"/src/accel/{accelerator,accelerator_float,accelerator_naive,binary_tree,mesh_copies,lane_searches,packet_search,reinsertion,search_record,searches_eight,searches_four,searches_masked,spatial_split,structures,watched,wide_search,wide_tree,width}.cpp) \
     libraries=("${catch2[@]}")
   [[ $2 == widths ]] && program=("-I$root/tests" "$root/tests/accel/width_test.cpp" \
-    "$4"/src/accel/{accelerator,accelerator_float,binary_tree,mesh_copies,lane_searches,packet_search,reinsertion,search_record,searches_eight,searches_four,searches_masked,spatial_split,structures,wide_search,wide_tree,width}.cpp "$4/src/shape/mesh.cpp") \
+    "$4"/src/accel/{accelerator,accelerator_float,binary_tree,mesh_copies,lane_searches,packet_search,reinsertion,search_record,searches_eight,searches_four,searches_masked,spatial_split,structures,wide_search,wide_tree,width}.cpp) \
     libraries=("${catch2[@]}")
   [[ $2 == packets ]] && program=("-I$root/tests" "$root/tests/accel/packet_test.cpp" \
-    "$4"/src/accel/{accelerator,accelerator_float,binary_tree,library,mesh_copies,lane_searches,packet_search,reinsertion,search_record,searches_eight,searches_four,searches_masked,spatial_split,structures,wide_search,wide_tree,width}.cpp "$4/src/shape/mesh.cpp") \
+    "$4"/src/accel/{accelerator,accelerator_float,binary_tree,library,mesh_copies,lane_searches,packet_search,reinsertion,search_record,searches_eight,searches_four,searches_masked,spatial_split,structures,wide_search,wide_tree,width}.cpp) \
     libraries=("${catch2[@]}")
   [[ $2 == beam_faces ]] && program=("-I$root/tests" -DNDEBUG "$root/tests/trace/beam_faces_test.cpp" "$4"/src/trace/{beam_faces,beam_window}.cpp \
     "$4"/src/accel/{binary_tree,reinsertion,search_record,spatial_split,wide_tree}.cpp) libraries=("${catch2[@]}")
@@ -83,7 +83,7 @@ verdict() {
     libraries=("${catch2[@]}")
   # shellcheck disable=SC2086
   if ! "$cxx" -std=c++20 $level -ffp-contract=off $3 -I"$4/src" "${program[@]}" \
-    "$4"/src/{shape/polygon,shape/exactly,accel/primitives,math/exact,math/motion}.cpp "$work"/elementary_*.o \
+    "$4"/src/{shape/polygon,shape/exactly,shape/mesh,accel/primitives,math/exact,math/motion}.cpp "$work"/elementary_*.o \
     -o "$work/$1.bin" "${libraries[@]}" >"$log" 2>&1; then
     printf 'broken'
     return
