@@ -159,15 +159,16 @@ inline unsigned RaysAbreast::alike(unsigned first) const {
 
 inline unsigned RaysAbreast::coherent(unsigned first, float near) const {
   constexpr float turn = 0.0625F;  // of slopes along the axis that grows fastest
-  const std::int32_t which = kind[first];
-  if (which < 0) return 0;
-  return where([&](unsigned group) {
-    const auto within = [&](const Values& of, float most_apart) {
-      return absolute(four(of, group) - all_lanes(of[first])) < all_lanes(most_apart);
-    };
-    return is_kind(which, group) & within(shear[0], turn) & within(shear[1], turn) & within(origin[0], near) &
-           within(origin[1], near) & within(origin[2], near);
-  });
+  const unsigned same = alike(first);
+  if (same == 0) return 0;
+  const auto within = [&](const Values& of, unsigned group, float most_apart) {
+    return absolute(four(of, group) - all_lanes(of[first])) < all_lanes(most_apart);
+  };
+  const auto is_close = [&](unsigned group) {
+    return within(shear[0], group, turn) & within(shear[1], group, turn) & within(origin[0], group, near) &
+           within(origin[1], group, near) & within(origin[2], group, near);
+  };
+  return same & where(is_close);
 }
 
 inline RayPacket::RayPacket(const RaysAbreast& of, unsigned which) : rays(of), members(which) {

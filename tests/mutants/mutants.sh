@@ -113,7 +113,7 @@ mutant packet_enters_with_the_last packets accel/ray_packet.h 'enter[axis] = neg
 mutant packet_of_mixed_signs packets accel/ray_packet.h 'signs |= (' 'signs &= ('
 mutant packet_slopes_of_zero packets accel/ray_packet.h '&& finite())' ')'
 mutant packet_bounds_of_others packets accel/ray_packet.h 'own(values, 0), high = low' 'all_lanes(values[first]), high = low'
-mutant packet_of_another_kind packets accel/ray_packet.h 'is_kind(which, group) & within(shear[0]' 'within(shear[0]'
+mutant packet_of_another_kind packets accel/ray_packet.h 'return same & where' 'return where'
 mutant packet_shortens_all packets accel/packet_search_loop.h 'packet.latest()' 'packet.t_far[0]'
 mutant packet_grain_of_one_ray packets accel/packet_lane_tests.h 'loaded(of.grain + first)' 'all_of(of.grain[0])'
 mutant packet_inverse_of_one_ray packets accel/packet_lane_tests.h 'min(max(far * least, far * most), leaves)' 'min(min(far * least, far * most), leaves)'
