@@ -2,7 +2,7 @@
 // Four boxes at a time, in float for rays of either precision (accel/float_slabs.h).
 
 #include "accel/float_slabs.h"
-#include "accel/query.h"
+#include "accel/slabs.h"
 #include "math/lanes.h"
 
 #include <algorithm>

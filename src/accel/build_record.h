@@ -20,6 +20,18 @@ struct StructureNode {
   int items = 0;  ///< primitives listed, or children
 };
 
+/// Size and cost of a built structure.
+struct AcceleratorStatistics {
+  std::size_t nodes = 0;       ///< inner nodes, leaves and cells
+  std::size_t references = 0;  ///< entries of primitives in leaves or cells
+  int depth = 0;               ///< of the deepest leaf; 0 for a single one
+  std::size_t bytes = 0;       ///< of the structure, without the primitives
+  /// What a ray is expected to cost that meets the box of all, or begins in it, in tests of one primitive: what a tree
+  /// was built to make least (MeetingChance). 0 for what is no tree over meshes.
+  double expected_cost = 0;
+  double build_seconds = 0;  ///< from the primitives to a searchable structure
+};
+
 /// Why a node was not split.
 enum class LeafReason {
   single,            ///< at most one primitive is left

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "accel/build_record.h"
-#include "accel/query.h"
+#include "accel/primitives.h"
 
 namespace raywalk {
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "accel/build_record.h"
-#include "accel/query.h"
 #include "accel/search_record.h"
+#include "accel/slabs.h"
 
 #include <algorithm>
 #include <array>

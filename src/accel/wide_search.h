@@ -3,8 +3,8 @@
 // once for each kind of ray, not for each query: a query only tests what is found here.
 
 #include "accel/mesh_ray.h"
-#include "accel/query.h"
 #include "accel/search_record.h"
+#include "accel/slabs.h"
 #include "accel/wide_tree.h"
 
 #include <array>

@@ -1,5 +1,5 @@
 // E7b: terms that are constant over all tests of a ray, or over all rays of an image: computed once, or each time.
-#include "accel/query.h"
+#include "accel/slabs.h"
 #include "study/curve.h"
 #include "study/shot.h"
 

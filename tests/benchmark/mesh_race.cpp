@@ -26,6 +26,7 @@
 #include <vector>
 
 #include "accel/accelerator.h"
+#include "accel/slabs.h"
 #include "accel/width.h"
 #include "race_meshes.h"
 

@@ -101,7 +101,7 @@ mutant triangle_deep_corner_forgotten Triangle shape/triangle.h 'detail::half_ul
 
 # --- Accelerators -----------------------------------------------------------------------------------------------------
 mutant accel_tie_to_the_higher accel accel/query.h 'id < hit_.primitive' 'id > hit_.primitive'
-mutant accel_sign_of_zero_ignored accel accel/query.h 'negative[axis] = std::signbit(ray.direction[axis])' \
+mutant accel_sign_of_zero_ignored accel accel/slabs.h 'negative[axis] = std::signbit(ray.direction[axis])' \
   'negative[axis] = ray.direction[axis] < 0'
 mutant accel_boxes_without_pad accel accel/primitives.cpp 'const T pad = 8 *' 'const T pad = -8 *'
 mutant kdtree_far_side_late accel accel/kdtree.h 'std::fmax(at.in, t - slack)' 'std::fmax(at.in, t + std::abs(t) / 64)'
