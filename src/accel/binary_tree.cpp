@@ -161,7 +161,7 @@ class Builder {
     if (plane.cost < best.cost) {
       const std::size_t more = part_space(node, plane, spare, left, right, left_centres, right_centres);
       parted = more <= spare;
-      if (parted) spare -= more;
+      if (parted) spare -= more, tree_.splits_space = true;
     }
     if (!parted && best.cost < infinity<float>) {
       left = best.left, right = best.right;

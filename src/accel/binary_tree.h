@@ -33,6 +33,7 @@ struct BinaryTree {
 
   std::vector<BinaryNode> nodes;  ///< the root is the first
   std::vector<TreeItem> items;    ///< of those that were split, every part
+  bool splits_space = false;      ///< somewhere; otherwise it is what it would be without `corners`
   MeetingChance chance;           ///< within the root
 };
 

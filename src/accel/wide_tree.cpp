@@ -187,22 +187,29 @@ class WideTree::Builder {
 
 WideTree::WideTree(std::vector<TreeItem> items, const BuildOptions& build, const CornersOf& corners) {
   if (items.empty()) return;
-  const BuildQuality quality = build.quality_for(items.size());
-  // Each split of space looks as if it paid; whether they do together shows only at the end.
-  WideTree unsplit;
-  std::optional<BuildRecord> of_unsplit;
-  if (quality == BuildQuality::best && corners) {
-    BuildOptions good = build;
-    good.quality = BuildQuality::good;
-    if (build.watcher != nullptr) good.watcher = &of_unsplit.emplace(*build.watcher);
-    unsplit = WideTree(items, good);
+  if (build.quality_for(items.size()) != BuildQuality::best || !corners) {
+    collapse(BinaryTree(std::move(items), build, {}), build);
+    return;
   }
-  BinaryTree binary(std::move(items), build, corners);
-  if (quality != BuildQuality::fast && Builder::optimises(binary)) reinsert_subtrees(binary, build.stop);
-  Builder(*this, binary, build);
-  if (unsplit.empty() || expected_cost_ < unsplit.expected_cost_) return;
+  std::vector<TreeItem> again = items;
+  BuildRecord before;
+  if (build.watcher != nullptr) before = *build.watcher;
+  if (!collapse(BinaryTree(std::move(items), build, corners), build)) return;
+  // Each split of space looks as if it paid; whether they do together shows only at the end.
+  BuildOptions good = build;
+  good.quality = BuildQuality::good;
+  if (build.watcher != nullptr) good.watcher = &before;
+  WideTree unsplit(std::move(again), good);
+  if (expected_cost_ < unsplit.expected_cost_) return;
   *this = std::move(unsplit);
-  if (of_unsplit) *build.watcher = std::move(*of_unsplit);
+  if (build.watcher != nullptr) *build.watcher = std::move(before);
+}
+
+bool WideTree::collapse(BinaryTree binary, const BuildOptions& build) {
+  const bool in_haste = build.quality_for(binary.items.size()) == BuildQuality::fast;
+  if (!in_haste && Builder::optimises(binary)) reinsert_subtrees(binary, build.stop);
+  Builder(*this, binary, build);
+  return binary.splits_space;
 }
 
 void WideTree::list_nodes(std::vector<StructureNode>& nodes, std::size_t most) const {

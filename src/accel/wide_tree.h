@@ -116,6 +116,8 @@ class WideTree {
 
  private:
   class Builder;
+  /// Makes it from a binary tree; returns whether that splits space.
+  bool collapse(BinaryTree binary, const BuildOptions& build);
   template <class Lines>
   [[gnu::always_inline]] static void fetch_lines(const Lines* what) {
     constexpr std::size_t line = alignof(Lines);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <random>
 
 #include "accel/float_slabs.h"
@@ -200,6 +201,30 @@ TEST_CASE("a better quality costs no more", "[accel]") {
     for (const auto& [a, b, c] : ball.triangles) several.triangles.push_back({from + a, from + b, from + c});
   }
   better("balls through each other", several);
+}
+
+TEST_CASE("where nothing overlaps, the best tree splits no space and is the good one", "[accel]") {
+  std::vector<std::array<Vec3d, 3>> hills;
+  std::vector<TreeItem> items;
+  const auto at = [](int x, int y) { return Vec3d(x, y, std::sin(0.3 * x) * std::cos(0.2 * y)); };
+  for (int x = 0; x < 40; ++x)
+    for (int y = 0; y < 40; ++y)
+      for (const Vec3d& third : {at(x + 1, y), at(x, y + 1)}) {
+        hills.push_back({at(x, y), at(x + 1, y + 1), third});
+        Bounds<double> box;
+        for (const Vec3d& corner : hills.back()) box.include(corner);
+        items.push_back({rounded_out(box), static_cast<std::int32_t>(items.size()), 1});
+      }
+  const auto tree = [&](BuildQuality quality, BuildRecord& record) {
+    return WideTree(items, {.watcher = &record, .quality = quality},
+                    [&](std::int32_t id) { return hills[static_cast<std::size_t>(id)]; });
+  };
+  BuildRecord of_good, of_best;
+  const WideTree good = tree(BuildQuality::good, of_good), best = tree(BuildQuality::best, of_best);
+  REQUIRE(best.node_count() == good.node_count());
+  CHECK(best.item_count() == items.size());
+  CHECK(std::memcmp(best.nodes(), good.nodes(), good.node_count() * sizeof(WideNode)) == 0);
+  CHECK(of_best.steps_made == of_good.steps_made);
 }
 
 TEST_CASE("how well a tree is built follows how many rays are expected", "[accel]") {
