@@ -14,6 +14,14 @@ struct RandomKey {
   std::uint32_t effect = 0;     ///< which effect draws
   std::uint64_t path = 0;       ///< place in the ray tree
   std::uint32_t dimension = 0;  ///< which of the draws of that effect there
+
+  /// Another draw for the same sample.
+  [[nodiscard]] constexpr RandomKey at(std::uint32_t of_effect, std::uint64_t of_path,
+                                       std::uint32_t of_dimension) const {
+    RandomKey key = *this;
+    key.effect = of_effect, key.path = of_path, key.dimension = of_dimension;
+    return key;
+  }
 };
 
 namespace detail {

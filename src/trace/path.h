@@ -244,11 +244,7 @@ class PathTracer {
 
   /// The key of a draw at the end of the path's `length`-th ray.
   [[nodiscard]] RandomKey key_at(int length, std::uint32_t dimension, Effect effect = Effect::indirect_light) const {
-    RandomKey key = key_;
-    key.effect = static_cast<std::uint32_t>(effect);
-    key.path = static_cast<std::uint64_t>(length);
-    key.dimension = dimension;
-    return key;
+    return key_.at(static_cast<std::uint32_t>(effect), static_cast<std::uint64_t>(length), dimension);
   }
 
   template <class Make>

@@ -34,10 +34,7 @@ inline void Tracer<Policy>::set_shadow_hints(const ShadingPoint& at, const Light
 /// The key of all draws for lights at this ray's hit.
 template <class Policy>
 RandomKey Tracer<Policy>::light_key(const TreeRay& ray) const {
-  RandomKey key = key_;
-  key.effect = static_cast<std::uint32_t>(Effect::penumbra);
-  key.path = ray.branch.path;
-  return key;
+  return key_.at(static_cast<std::uint32_t>(Effect::penumbra), ray.branch.path, 0);
 }
 
 /// A point of a light with an extent: apart, and all of it in one piece, as `sample_rough`.
@@ -91,9 +88,7 @@ template <class Policy>
 [[gnu::noinline, gnu::flatten]] auto Tracer<Policy>::sample_rough(const TreeRay& ray, const Vec3<T>& direction,
                                                                   T one_minus_cos, const Vec3<T>& facing_normal,
                                                                   Effect effect) -> Vec3<T> {
-  RandomKey key = key_;
-  key.effect = static_cast<std::uint32_t>(effect);
-  key.path = ray.branch.path;
+  const RandomKey key = key_.at(static_cast<std::uint32_t>(effect), ray.branch.path, 0);
   const Vec2<T> unit = draw_pair<T>(camera_.sampler(), key, camera_.strata());
   statistics_.drew(effect, 2);
   const Vec3<T> aside = renormalize(Basis<T>(direction).to_world(sample_uniform_cone(unit, one_minus_cos)));
@@ -139,10 +134,7 @@ auto Tracer<Policy>::evaluate_facets(const ShadingPoint& at, const TreeRay& ray,
 template <class Policy>
 auto Tracer<Policy>::sample_facet(ShadedPoint& at, const TreeRay& ray, RayKind kind) -> Vec3<T> {
   const bool through = kind == RayKind::refract;
-  RandomKey key = key_;
-  key.effect = static_cast<std::uint32_t>(Effect::microfacets);
-  key.path = ray.branch.path;
-  key.dimension = through ? 2 : 0;
+  const RandomKey key = key_.at(static_cast<std::uint32_t>(Effect::microfacets), ray.branch.path, through ? 2 : 0);
   Vec2<T> unit = draw_pair<T>(camera_.sampler(), key, camera_.strata());
   statistics_.drew(Effect::microfacets, 2);
   const Vec3<T>&normal = at.shading_normal, to_eye = -ray.ray.direction;
