@@ -116,6 +116,7 @@ mutant packet_bounds_of_others packets accel/ray_packet.h 'own(values, 0), high 
 mutant packet_of_another_kind packets accel/ray_packet.h 'return same & where' 'return where'
 mutant packet_shortens_all packets accel/packet_search_loop.h 'packet.latest()' 'packet.t_far[0]'
 mutant packet_grain_of_one_ray packets accel/packet_lane_tests.h 'loaded(of.grain + first)' 'all_of(of.grain[0])'
+mutant lanes_grain_of_doubles_forgotten widths accel/mesh_ray.h 'rounds ? size : Float{}' 'rounds ? Float{} : Float{}'
 mutant packet_inverse_of_one_ray packets accel/packet_lane_tests.h 'min(max(far * least, far * most), leaves)' 'min(min(far * least, far * most), leaves)'
 mutant lanes_shrunk accel accel/float_slabs.h '-rounded_up(-static_cast<double>(box.min[axis]))' \
   'rounded_up(box.min[axis] + 1e-5 * std::abs(static_cast<double>(box.min[axis])))'
