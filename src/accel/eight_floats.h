@@ -7,10 +7,13 @@
 
 #include <immintrin.h>
 
+/// What accel/width.cpp asks a processor for. No fused multiply-add, although such processors have it: it rounds once
+/// where four lanes round twice.
+#define RAYWALK_EIGHT "avx2"
+
 namespace raywalk::eight {
 
-// No fused multiply-add, although such processors have it: it rounds once where four lanes round twice.
-#define RAYWALK_LANE_TARGET [[gnu::target("avx2"), gnu::always_inline]]
+#define RAYWALK_LANE_TARGET [[gnu::target(RAYWALK_EIGHT), gnu::always_inline]]
 
 using Group = __m256;
 constexpr unsigned group_lanes = 8;

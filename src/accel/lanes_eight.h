@@ -9,7 +9,7 @@
 
 namespace raywalk::eight {
 
-#define RAYWALK_LANE_TARGET [[gnu::target("avx2"), gnu::always_inline]]
+#define RAYWALK_LANE_TARGET [[gnu::target(RAYWALK_EIGHT), gnu::always_inline]]
 #include "accel/lane_tests.h"
 #include "accel/packet_lane_tests.h"
 #undef RAYWALK_LANE_TARGET

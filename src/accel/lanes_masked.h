@@ -7,7 +7,7 @@
 #include "accel/eight_floats.h"
 #include "accel/ray_packet.h"
 
-/// What accel/width.cpp asks a processor for.
+/// The same as RAYWALK_EIGHT.
 #define RAYWALK_MASKED "avx512f,avx512vl"
 
 namespace raywalk::masked {

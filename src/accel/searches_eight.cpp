@@ -3,8 +3,8 @@
 #include "accel/lanes_eight.h"
 
 #define RAYWALK_LANES eight
-#define RAYWALK_LANE_CODE [[gnu::target("avx2")]]
-#define RAYWALK_LANE_LOOP [[gnu::target("avx2"), gnu::flatten]]
+#define RAYWALK_LANE_CODE [[gnu::target(RAYWALK_EIGHT)]]
+#define RAYWALK_LANE_LOOP [[gnu::target(RAYWALK_EIGHT), gnu::flatten]]
 #include "accel/searches_at_width.h"
 
 namespace raywalk {
