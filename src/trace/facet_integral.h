@@ -21,14 +21,16 @@ double simpson(const F& f, double a, double b, double f_a, double f_mid, double 
   return simpson(f, a, mid, f_a, left, f_mid, tolerance / 2, depth - 1) +
          simpson(f, mid, b, f_mid, right, f_b, tolerance / 2, depth - 1);
 }
-constexpr int parts = 4, deepest = 8;
+/// How `integral` begins, and how often it halves at most.
+constexpr int integral_parts = 4, integral_halvings = 8;
 /// Over the parts of 0..1.
 template <class F>
 double integral(const F& f, double tolerance) {
   double sum = 0, f_from = f(0.0);
-  for (int i = 0; i < parts; ++i) {
-    const double from = static_cast<double>(i) / parts, to = static_cast<double>(i + 1) / parts, f_to = f(to);
-    sum += simpson(f, from, to, f_from, f((from + to) / 2), f_to, tolerance / parts, deepest);
+  for (int i = 0; i < integral_parts; ++i) {
+    const double from = static_cast<double>(i) / integral_parts, to = static_cast<double>(i + 1) / integral_parts,
+                 f_to = f(to);
+    sum += simpson(f, from, to, f_from, f((from + to) / 2), f_to, tolerance / integral_parts, integral_halvings);
     f_from = f_to;
   }
   return sum;
@@ -36,7 +38,7 @@ double integral(const F& f, double tolerance) {
 
 /// Of a share of half a turn that `integral` asks for.
 inline const portable::SineCosine<double>& sin_cos_of_half_turn(double share) {
-  constexpr int places = parts << (deepest + 2);  // quarters of the smallest interval
+  constexpr int places = integral_parts << (integral_halvings + 2);  // quarters of the smallest interval
   static const auto table = [] {
     std::array<portable::SineCosine<double>, places + 1> all{};
     for (std::size_t i = 0; i <= places; ++i)
