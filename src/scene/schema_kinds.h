@@ -125,7 +125,7 @@ inline constexpr Number turbidity{
     .words = "a number from 1 to 10",
     .low = 1,
     .high = 10,
-    .hint = "2 is very clear air, 3 clear, 6 hazy",
+    .hint = "2 is very clear air, 3 clear, 6 moist, 10 hazy",
 };
 inline constexpr Number albedo{
     .words = "a number from 0 to 1",

@@ -104,7 +104,7 @@ template <class Fields>
 void describe(Fields& f, ClearSky& sky) {
   f.about("A sky without clouds (Hosek and Wilkie 2012). The sun itself is a light: a directional one, say.");
   f.key("elevation", sky.elevation, sun_elevation, "How high the sun stands; it is in the middle of the sky.");
-  f.key("turbidity", sky.turbidity, turbidity, "How hazy the air is: 2 is very clear, 6 hazy.");
+  f.key("turbidity", sky.turbidity, turbidity, "How hazy the air is: 2 is very clear, 6 a moist day, 10 hazy.");
   f.key("albedo", sky.albedo, albedo, "The share of light that the ground sends back into the air.");
   f.key("strength", sky.strength, light_colour, "Multiplies all of it; 1 is in units of 683 candela a square metre.");
   shines(f, "strength", !is_black(sky.strength));

@@ -35,7 +35,7 @@ struct OvercastSky {
 /// Spectral Sky-Dome Radiance", SIGGRAPH 2012).
 struct ClearSky {
   double elevation = 40;  ///< of the sun, in degrees, 0..90; it stands in the sky's middle
-  double turbidity = 3;   ///< 1..10: 2 is very clear, 6 hazy
+  double turbidity = 3;   ///< 1..10: 2 is very clear, 6 a moist day, 10 hazy
   double albedo = 0.2;    ///< 0..1: of the ground, which lights the air
   Rgbd strength{0.05};    ///< 1: radiance as measured, in units of 683 cd / m^2 of luminance
   friend bool operator==(const ClearSky&, const ClearSky&) = default;
