@@ -1,6 +1,6 @@
-// Sorts what instructions are made of for what packs them: all opcodes, all indices of locals, all offsets and so on stand
-// beside each other, where each is foretold by its like. joiner.h, which puts them together again, says how. Its texts are
-// taken out, for another packer.
+// Sorts what instructions are made of for what packs them: all opcodes, all locals, all offsets and so on stand beside each
+// other, where each is foretold by its like. joiner.h, which puts them together again, says how. Its texts are taken out, for
+// another packer.
 const code_section = 10;
 const block_size = 9 << 18; // of code, half of it: a browser compiles one while the next arrives
 
@@ -9,6 +9,7 @@ const declarations = 0, opcodes = 1, local = 2, local_set = 3, small = 4, added 
   vectors = 10, called = 11, called_by_pointer = 12, branches = 13, branch_tables = 14, others = 15, loaded = 16, stored = 17,
   lanes_offset = 18, lanes_align = 19, align = 20, streams = align + 0x3f - 0x28;
 const large_constant = 0x27; // not an opcode
+const most_locals = 1 << 14; // of a function, as in joiner.h
 const texts_like = /(?:[\0\t\n -~]|[\xc2-\xef][\x80-\xbf]+){1024,}/g; // UTF-8; a text in C++ ends with 0
 
 export function streamed(wasm) {
@@ -55,7 +56,29 @@ export function streamed(wasm) {
     put_number(stream);
     for (let i = 0; i < count; ++i) put_number(stream);
   };
+  // A local that is read is told by how many others were named since it was: code that is alike differs in their numbers.
+  let recent;
+  const name_local = (index) => {
+    if (index >= most_locals) throw new Error('a function has more locals than joiner.h takes');
+    while (recent.length <= index) recent.push(recent.length);
+    const rank = recent.indexOf(index);
+    recent.splice(rank, 1);
+    recent.unshift(index);
+    return rank;
+  };
+  const put_rank = () => {
+    let rank = name_local(number());
+    for (; rank > 127; rank >>= 7) sorted[local].push((rank & 127) | 128);
+    sorted[local].push(rank);
+  };
+  const put_local_set = () => {
+    const begun = at;
+    name_local(number());
+    at = begun;
+    put_number(local_set);
+  };
   const locals = () => {
+    recent = [];
     const begun = at;
     let groups = number();
     at = begun;
@@ -89,8 +112,8 @@ export function streamed(wasm) {
       case 0x10: return put_number(called);
       case 0x11: put_number(called_by_pointer); return put_number(called_by_pointer);
       case 0x1c: return put_numbers(opcodes, 0); // select with types
-      case 0x20: return put_number(local); // local.get
-      case 0x21: case 0x22: return put_number(local_set); // local.set, local.tee
+      case 0x20: return put_rank(); // local.get
+      case 0x21: case 0x22: return put_local_set(); // local.set, local.tee
       case 0x07: case 0x08: // catch, throw
       case 0x23: case 0x24: case 0x25: case 0x26: // global.get to table.set
       case 0x3f: case 0x40: case 0xd0: case 0xd2: return put_number(others); // memory.size, memory.grow, ref.null, ref.func
