@@ -7,6 +7,7 @@
 #include "io/textures.h"
 #include "scene/copied_meshes.h"
 #include "scene/schema_kinds.h"
+#include "scene/warnings.h"
 #include "text/file.h"
 #include "text/file_ledger.h"
 #include "text/text_file.h"
@@ -298,8 +299,7 @@ Result<SceneDocument> read_scene(const std::string& path) {
     if (error.line > 0 && !has_scene_ending(path)) error.hint += why_toml();
     return document;
   }
-  const Scene& scene = document->scene;
-  if (scene.objects.empty() && !scene.sky)
+  if (is_empty(document->scene))
     document->warnings.push_back(
         path + ": warning: there is no object in this scene: a picture of it shows only the background; " +
         (scene_format_of(path) == SceneFormat::toml ? "add an [[object]], which `raywalk info --keys object` explains"

@@ -1,11 +1,15 @@
 #include "scene/warnings.h"
 
+#include "scene/scene.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <map>
 #include <string_view>
 
 namespace raywalk {
+
+bool is_empty(const Scene& scene) { return scene.objects.empty() && !scene.sky; }
 
 namespace {
 

@@ -289,6 +289,26 @@ TEST_CASE("recent files are remembered, the latest first, each once") {
   CHECK(state.document.recent[1] == folder.file("next.toml"));
 }
 
+TEST_CASE("of a scene without any object the window says how one is added, in its language") {
+  const TemporaryFolder folder;
+  const std::string camera = "[camera]\neye = [0, 0]\nlook_at = [1, 0]\nfov = 45\n";
+  const std::string empty = folder.file("empty.toml"), sky = folder.file("sky.toml");
+  REQUIRE(write_file_atomically(empty, camera));
+  REQUIRE(write_file_atomically(sky, camera + "[sky]\ntype = \"clear\"\nsun = [1, 0, 1]\n"));
+  State state = busy_state();
+  for (const Language language : all_languages()) {
+    state.appearance.language = language;
+    update(state, action::Open{empty});
+    REQUIRE(state.document.notice);
+    CHECK(state.document.notice->text == fill("notice.no_object", language, {{"file", empty}}));
+    CHECK_THAT(state.document.notice->text, Catch::Contains(std::string(text("command.mode_move.label", language))));
+  }
+  update(state, action::Open{sky});
+  REQUIRE(state.document.notice);
+  CHECK_THAT(state.document.notice->text,
+             !Catch::Contains(std::string(text("command.mode_move.label", state.appearance.language))));
+}
+
 TEST_CASE("New starts with something that can be walked") {
   State state = busy_state();
   update(state, action::New{});

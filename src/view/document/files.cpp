@@ -103,6 +103,9 @@ const std::string* gallery_text(const State& state, const std::string& name, std
 std::optional<std::string> warning_of_file(const State& state) {
   const std::vector<std::string> warnings = collected(state.document.contents.warnings);
   if (warnings.empty() || is_shipped(state, state.document.path)) return std::nullopt;
+  // The last of what a reader says is for the command line: in the window an object is added by a button.
+  if (warnings.size() == 1 && is_empty(state.scene()))
+    return fill("notice.no_object", state.appearance.language, {{"file", state.document.path}});
   return warnings.front();
 }
 
