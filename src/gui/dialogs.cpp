@@ -100,13 +100,15 @@ int symbols_below(const Ui& ui, const Rect& plan, const Rect& notice) {
 void notice_bar(const Ui& ui, const Rect& plan, const Rect& strip) {
   if (!ui.state.document.notice || ui.state.document.prompt != PathPrompt::none || plan.width < ui.px(80)) return;
   const bool error = ui.state.document.notice->kind == Notice::Kind::error;
-  const float inset = ui.px(12), edge = ui.px(24), most = std::min(plan.width - 2 * inset, ui.px(640));
-  const float text_most = most - edge - ui.px(42);
+  // What a finger presses reaches to the edges around it.
+  const float edge = ui.high(24), beside = ui.px(ui.finger > 0 ? 0 : 12), above = ui.px(ui.finger > 0 ? 0 : 10);
+  const float inset = ui.px(12), left = ui.px(16), gap = ui.px(ui.finger > 0 ? 4 : 14);
+  const float most = std::min(plan.width - 2 * inset, ui.px(640)), text_most = most - left - gap - edge - beside;
   const std::string& words = ui.state.document.notice->text;
   const ImVec2 extent = ImGui::CalcTextSize(words.c_str(), nullptr, false, text_most);
-  const float width = std::min(extent.x + 1, text_most) + edge + ui.px(42);
+  const float width = most - text_most + std::min(extent.x + 1, text_most);
   // At the top of the plan, or where it covers less: at the bottom, or on the strip below.
-  const float height = std::max(extent.y, edge) + ui.px(20);
+  const float height = std::max(extent.y + ui.px(20), edge + 2 * above);
   Rect where{plan.x + inset, plan.y + inset, width, height};
   int least = symbols_below(ui, plan, where);
   const float bottom = plan.bottom() - inset;
@@ -122,7 +124,7 @@ void notice_bar(const Ui& ui, const Rect& plan, const Rect& strip) {
   ui.publish("notice", where);
   ImGui::SetNextWindowPos(corner(where));
   ImGui::SetNextWindowSize(size(where));
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ui.padding(16, 10));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
   ImGui::PushStyleColor(ImGuiCol_Border,
                         to_imgui4(error ? ui.colours.error : Shades(ui.state.appearance.theme).raised_held));
   ImGui::PushStyleColor(ImGuiCol_WindowBg, to_imgui4(ui.colours.panel));
@@ -131,13 +133,12 @@ void notice_bar(const Ui& ui, const Rect& plan, const Rect& strip) {
                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
   ImGui::PopStyleColor(2);
   ImGui::PopStyleVar();
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::SetCursorScreenPos({at.x, at.y + std::max((edge - extent.y) / 2, 0.0f)});
+  ImGui::SetCursorScreenPos({where.x + left, where.y + std::max((edge + 2 * above - extent.y) / 2, ui.px(10))});
   // Broken as it was measured: a word more in a line would stand under the button.
-  ImGui::PushTextWrapPos(ui.px(16) + std::min(extent.x, text_most) + 1);
+  ImGui::PushTextWrapPos(left + std::min(extent.x, text_most) + 1);
   label(error ? ui.colours.error : ui.colours.text, words);
   ImGui::PopTextWrapPos();
-  ImGui::SetCursorScreenPos({at.x + width - ui.px(28) - edge, at.y});
+  ImGui::SetCursorScreenPos({where.right() - beside - edge, where.y + above});
   if (button(ui, "dismiss-notice", ui.say("dialog.close"), ui.say("dialog.close"), {edge, edge},
              {.look = Look::flat, .icon = Icon::close, .font = nullptr, .label = false}))
     ui.act(action::DismissNotice{});

@@ -16,8 +16,6 @@ namespace raywalk {
 
 namespace {
 
-constexpr float row_height = 34, between_rows = 4;
-
 /// What stands in the bar, from left to right.
 struct EffectWords {
   std::vector<std::pair<Effect, std::string>> effects;
@@ -46,12 +44,14 @@ constexpr ButtonLook effect_look(ImFont* font) { return {.look = Look::choice, .
 float effect_rows(const Ui& ui, const Rect& where, bool draw) {
   const EffectWords words = effect_words(ui);
   const ButtonLook look = effect_look(ui.fonts.small);
-  const float height = ui.px(row_height - between_rows), gap = ui.px(8), left = where.x + ui.px(14);
-  float x = left, y = where.y + ui.px(between_rows) - (draw ? ImGui::GetScrollY() : 0);
+  // What a finger presses is as high as its row (Ui::unseen).
+  const float row = effects_row_height(ui), height = ui.high(30), above = (row - height) / 2;
+  const float gap = ui.px(8), left = where.x + ui.px(14);
+  float x = left, y = where.y + above - (draw ? ImGui::GetScrollY() : 0);
   const auto place = [&](float width) {
     if (x > left && x + width > where.right() - ui.px(8)) {
       x = left;
-      y += height + ui.px(between_rows);
+      y += row;
     }
     if (draw) ImGui::SetCursorScreenPos({x, y});
     x += width + gap;
@@ -91,10 +91,12 @@ float effect_rows(const Ui& ui, const Rect& where, bool draw) {
     }
   }
   pop_font();
-  return y + height + ui.px(between_rows) - where.y;
+  return y - above + row - where.y;
 }
 
 }  // namespace
+
+float effects_row_height(const Ui& ui) { return ui.high(34); }
 
 float effects_height(const Ui& ui, float width) { return effect_rows(ui, {0, 0, width, 0}, false); }
 

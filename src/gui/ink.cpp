@@ -51,14 +51,20 @@ Icon icon_of(InkTool tool) {
   return Icon::none;
 }
 
-constexpr float tool_height = 30, between_tools = 4;
+float tool_height(const Ui& ui) { return ui.high(30); }
 
 /// The tools, by their words or, where these do not fit into one row, by icons in as many rows as they need; `draw`:
 /// else they are only measured. Returns the height.
 float ink_rows(const Ui& ui, const Rect& where, bool words, bool draw) {
-  const float height = ui.px(tool_height), below = ui.px(between_tools), gap = words ? below : below / 2;
-  const float icon_width = 0.87f * height;
+  const bool by_finger = ui.finger > 0;
+  const float height = tool_height(ui), below = by_finger ? 0 : ui.px(4), gap = ui.px(words ? 4 : 2);
   const float left = where.x + ui.px(8), right = where.right() - ui.px(6);
+  // A finger presses squares, or what is a little narrower where all then stand in one row.
+  constexpr std::size_t colours = std::size(words_of<InkColour>), buttons = std::size(words_of<InkTool>) + colours + 3;
+  constexpr float gaps = std::size(words_of<InkTool>) + 5;
+  const float in_one_row = std::floor((right - left - gaps * gap) / static_cast<float>(buttons));
+  const float square = in_one_row > 0.8f * height ? std::min(in_one_row, height) : height;
+  const float icon_width = by_finger ? square : 0.87f * height;
   float x = left, y = where.y + below;
   const auto place = [&](float width) {
     if (x > left && x + width > right) {
@@ -80,8 +86,7 @@ float ink_rows(const Ui& ui, const Rect& where, bool words, bool draw) {
   }
   x += gap;
   // Colours stay together.
-  constexpr std::size_t colours = std::size(words_of<InkColour>);
-  const float apart = words ? height : 0.73f * height, all = static_cast<float>(colours) * apart;
+  const float apart = words ? height : by_finger ? square : 0.73f * height, all = static_cast<float>(colours) * apart;
   place(all);
   for (std::size_t i = 0; draw && i < colours; ++i) {
     ImGui::SetCursorScreenPos({x - all - gap + static_cast<float>(i) * apart, y});
@@ -98,9 +103,7 @@ float ink_rows(const Ui& ui, const Rect& where, bool words, bool draw) {
 }
 
 /// Whether the words of all tools fit into one row.
-bool fits_words(const Ui& ui, float width) {
-  return ink_rows(ui, {0, 0, width, 0}, true, false) < ui.px(2 * tool_height);
-}
+bool fits_words(const Ui& ui, float width) { return ink_rows(ui, {0, 0, width, 0}, true, false) < 2 * tool_height(ui); }
 
 }  // namespace
 

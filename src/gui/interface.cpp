@@ -159,6 +159,7 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   wishes.front = state.appearance.front;
   if (wishes.front == Front::lesson && wishes.lesson == 0) wishes.front = Front::code;
   if (embedded && wishes.front == Front::tabs) wishes.front = Front::code;
+  wishes.effects_row = effects_row_height(with);
   if (state.effects.shown && !helps && !embedded) wishes.effects = effects_height(with, lay_out(wishes).plan.width);
   if (state.band.shown && !helps && !embedded) wishes.band = with.px(static_cast<float>(band_height));
   // Heights that depend on a width, which does not depend on them. The strip is as high in Move, too: the plan stays.

@@ -51,7 +51,9 @@ void lay_out_walk(const LayoutWishes& wishes, float lesson, float top, float bot
   const float least_plan = (finger_of(wishes) > 0 ? 0.36f : 0.42f) * (below - transport);
   const auto beside_plan = [&](float wish) { return std::max(std::min(wish, end - top - least_plan), 0.0f); };
   layout.band = above(0.25f, beside_plan(wishes.band));
-  layout.effects = above(0.5f, beside_plan(wishes.effects));
+  const float row = wishes.effects_row, room = std::min(beside_plan(wishes.effects), (below - transport) / 2);
+  const float rows = std::max(std::floor(room / row + 0.01f), 1.0f);
+  layout.effects = above(0.5f, wishes.effects > 0 ? rows * row : 0);
   layout.plan = {edge, top, width, end - top};
 }
 

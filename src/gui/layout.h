@@ -45,6 +45,7 @@ struct LayoutWishes {
   float strip = 0;                   ///< height wanted by the kinds of rays, if more than the usual one
   float band = 0;                    ///< height wanted by the band; 0: it is not shown
   float effects = 0;                 ///< height wanted by the switches for effects; 0: they are not shown
+  float effects_row = 1;             ///< of that, a row: none is cut, and one is always seen
   float choice = 0;                  ///< height wanted by the choice of tabs
   bool focus = false;                ///< code and tabs are folded to an edge
   Front front = Front::code;         ///< in one column; not the lesson unless it is shown

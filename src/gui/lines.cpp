@@ -44,7 +44,7 @@ void lines_pane(const Ui& ui, const Rect& where) {
   const Pane pane(ui, "plan", where, ui.colours.plan, {0, 0},
                   ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   if (!pane) return;
-  const float edge = ui.px(28), above = ui.px(8), gap = ui.px(6);
+  const float edge = ui.high(28), above = ui.px(8) - ui.unseen(edge), gap = ui.px(6);
   const ButtonLook look{.look = Look::plain, .icon = Icon::none, .font = ui.fonts.small, .label = true};
   std::vector<std::pair<const Command*, Rect>> buttons;  // from the right
   float x = where.right() - ui.px(10);

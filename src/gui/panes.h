@@ -208,6 +208,7 @@ void legend_pane(const Ui& ui, const Rect& where);
 /// Switches for effects, with their rays.
 void effects_pane(const Ui& ui, const Rect& where);
 [[nodiscard]] float effects_height(const Ui& ui, float width);
+[[nodiscard]] float effects_row_height(const Ui& ui);
 
 /// SCREEN's cells, large.
 void band_pane(const Ui& ui, const Rect& where);

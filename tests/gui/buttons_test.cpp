@@ -411,6 +411,62 @@ TEST_CASE("on a telephone so are panels, forms and lists, and these stay in the 
   }
 }
 
+TEST_CASE(
+    "on a telephone so are the switches of effects, ink, the buttons over the view in space and what ends a notice") {
+  const FontFiles files = find_fonts(font_folders(""));
+  struct Size {
+    float width, height, least;
+  };
+  for (const Size& each : {Size{390, 844, 44}, Size{360, 640, 40}, Size{844, 390, 40}}) {
+    for (const Language language : all_languages()) {
+      Bench bench(at(40, Mode::trace), each.width, each.height, files);
+      bench.state.appearance.language = language;
+      bench.unit = bench.dpi = shrink_to_fit(each.width, each.height, 1);
+      update(bench.state, action::SetTouch{true});
+      const auto check = [&](const std::vector<std::string>& items) {
+        bench.resize(each.width, each.height);
+        bench.frames(2);
+        for (const std::string& item : items) {
+          CAPTURE(each.width, language.code(), item);
+          REQUIRE(bench.has(item));
+          const Rect where = bench.rect(item);
+          CHECK(where.height >= each.least - 0.5f);
+          CHECK(where.x >= 0);
+          CHECK(where.right() <= each.width + 0.5f);
+          CHECK_FALSE(bench.has(item + "/clipped"));
+        }
+      };
+      update(bench.state, action::ShowEffects{true});
+      check({"effect/shadows", "effect/refraction", "effect/depth-less", "effect/depth-more"});
+      update(bench.state, action::ShowEffects{false});
+
+      update(bench.state, action::SetInk{true});
+      const std::vector<std::string> tools{"ink-pen", "ink-eraser", "ink/red", "ink-clear", "ink-keep", "ink"};
+      check(tools);
+      for (const std::string& tool : tools) {
+        CAPTURE(each.width, tool);
+        CHECK(bench.rect(tool).width >= 0.8f * each.least);
+        CHECK(bench.rect(tool).bottom() <= bench.interface().layout().plan.y + 0.5f);
+      }
+      update(bench.state, action::SetInk{false});
+
+      update(bench.state, action::WalkPixel{10, 9, {21, 21}});
+      update(bench.state, action::Orbit{SpaceView::lines, {0.1, 0}});
+      check({"lines", "reset-view", "walk-strip"});
+      update(bench.state, action::ShowLines{false});
+
+      bench.state.document.notice = Notice{Notice::Kind::info, "Saved"};
+      check({"dismiss-notice"});
+      const Rect notice = bench.rect("notice"), cross = bench.rect("dismiss-notice");
+      CHECK(cross.width >= each.least - 0.5f);
+      CHECK(cross.right() <= notice.right() + 0.5f);
+      CHECK(cross.bottom() <= notice.bottom() + 0.5f);
+      bench.click("dismiss-notice");
+      CHECK_FALSE(bench.state.document.notice);
+    }
+  }
+}
+
 TEST_CASE("on a telephone on its side the bars are as high as a finger needs, once one has touched it") {
   const FontFiles files = find_fonts(font_folders(""));
   for (const auto& [width, height] : {std::pair{844.0f, 390.0f}, {740.0f, 360.0f}}) {

@@ -58,7 +58,7 @@ TEST_CASE("no size of the window makes panes overlap or leave it") {
           for (const bool focus : {false, true}) {
             wishes.focus = focus;
             wishes.band = 58 * unit;
-            wishes.effects = 34 * unit;
+            wishes.effects = wishes.effects_row = 34 * unit;
             CHECK(faults(raywalk::lay_out(wishes), width, height) == "");
           }
         }
@@ -167,6 +167,23 @@ TEST_CASE("effects and the band leave the plan what can be seen, in low windows 
   }
 }
 
+TEST_CASE("no row of effects is cut, and one is always seen, in low windows too") {
+  for (const bool touch : {false, true}) {
+    for (const auto& [width, height] : {std::pair{640.0f, 360.0f}, {740.0f, 360.0f}, {960.0f, 540.0f}}) {
+      raywalk::LayoutWishes wishes{width, height, 1, 131, 413, 300};
+      wishes.touch = touch;
+      wishes.band = 58, wishes.effects_row = 40, wishes.effects = 160;
+      const Layout layout = raywalk::lay_out(wishes);
+      CAPTURE(width, height, touch);
+      CHECK(faults(layout, width, height).empty());
+      CHECK(layout.effects.height >= 40);
+      CHECK(std::fmod(layout.effects.height, 40.0f) == 0);
+      CHECK(layout.band.height > 40);
+      CHECK(layout.plan.height > 0.25f * (height - layout.bar.height - layout.transport.height));
+    }
+  }
+}
+
 TEST_CASE("in focus, in an upright window, a question stands below the walk") {
   raywalk::LayoutWishes wishes{768, 1024, 1, 134, 413, 300};
   wishes.focus = true;
@@ -263,7 +280,8 @@ TEST_CASE("in an upright window effects and the band leave the plan its height, 
     wishes.bar_width = 769;
     for (const float lesson : {0.0f, 330 * unit}) {
       wishes.lesson = lesson;
-      wishes.effects = (lesson > 0 ? 106.0f : 72.0f) * unit;  // in three lines beside a lesson
+      wishes.effects_row = 34 * unit;
+      wishes.effects = (lesson > 0 ? 3 : 2) * wishes.effects_row;
       wishes.band = 0;
       const Layout layout = raywalk::lay_out(wishes);
       CAPTURE(unit, lesson, layout.plan.height);
