@@ -15,32 +15,34 @@ namespace raywalk {
 
 namespace {
 
+// The heading of a menu is ImGui's last item until the menu is shown, and again once that is done.
+
 void recent_menu(const Ui& ui) {
-  const bool open = ImGui::BeginMenu(ui.say("menu.recent").c_str(), !ui.state.document.recent.empty());
-  ui.publish("menu/recent");
-  if (!open) return;
-  int number = 0;
-  for (const std::string& path : ui.state.document.recent) {
-    ImGui::PushID(number);
-    const std::filesystem::path file(path);
-    const std::string folder = file.parent_path().string();
-    if (ImGui::MenuItem(file.filename().string().c_str(), folder.c_str())) ui.act(action::Open{path});
-    ui.publish("menu/recent/" + std::to_string(number++));
-    ImGui::PopID();
+  if (ImGui::BeginMenu(ui.say("menu.recent").c_str(), !ui.state.document.recent.empty())) {
+    int number = 0;
+    for (const std::string& path : ui.state.document.recent) {
+      ImGui::PushID(number);
+      const std::filesystem::path file(path);
+      const std::string folder = file.parent_path().string();
+      if (ImGui::MenuItem(file.filename().string().c_str(), folder.c_str())) ui.act(action::Open{path});
+      ui.publish("menu/recent/" + std::to_string(number++));
+      ImGui::PopID();
+    }
+    ImGui::EndMenu();
   }
-  ImGui::EndMenu();
+  ui.publish("menu/recent");
 }
 
 /// Which rays are drawn, in Trace and in Move.
 void rays_menu(const Ui& ui) {
-  const bool open = ImGui::BeginMenu(ui.say("menu.rays").c_str());
+  if (ImGui::BeginMenu(ui.say("menu.rays").c_str())) {
+    for (const Command* each : commands_in(Section::rays)) menu_item(ui, *each);
+    ImGui::Separator();
+    label(ui.colours.dim_text, ui.say("legend.earlier"));
+    for (const Command* each : commands_in(Section::earlier)) menu_item(ui, *each);
+    ImGui::EndMenu();
+  }
   ui.publish("menu/rays");
-  if (!open) return;
-  for (const Command* each : commands_in(Section::rays)) menu_item(ui, *each);
-  ImGui::Separator();
-  label(ui.colours.dim_text, ui.say("legend.earlier"));
-  for (const Command* each : commands_in(Section::earlier)) menu_item(ui, *each);
-  ImGui::EndMenu();
 }
 
 /// One line per language, with the name from its file.
@@ -94,16 +96,9 @@ const std::array<Menu, menu_count> menus{{
       {Section::structure}}},
 }};
 
-// A menu of the bar; `open` opens it. Returns whether it is open.
-bool show_menu(const Ui& ui, const Menu& menu, bool open) {
-  const std::string heading = ui.say(menu.title);
-  if (open) ImGui::OpenPopup(heading.c_str());
-  // A menu longer than the window scrolls below the bar: covering the bar, it would take the click that opens it.
-  const float bar = ImGui::GetWindowHeight(), window = ImGui::GetIO().DisplaySize.y;
-  ImGui::SetNextWindowSizeConstraints({0, 0}, {ImGui::GetIO().DisplaySize.x, std::max(window - bar - ui.px(4), 1.0f)});
-  const bool is_open = ImGui::BeginMenu(heading.c_str());
-  ui.publish(menu.name);
-  if (!is_open) return false;
+// What stands in an open menu that begins `below` the upper edge of the window.
+void menu_entries(const Ui& ui, const Menu& menu, float below) {
+  const float window = ImGui::GetIO().DisplaySize.y;
   // As tight as it must be to fit below the bar of the window; wider for fingers, where there is room.
   std::size_t rows = 0;
   for (const MenuPart& part : menu.parts) {
@@ -113,7 +108,7 @@ bool show_menu(const Ui& ui, const Menu& menu, bool open) {
   }
   const float line = ImGui::GetTextLineHeight(), entries = static_cast<float>(rows),
               lines = static_cast<float>(menu.parts.size());
-  float gap = (window - bar - ui.px(24) - entries * line - lines) / (entries + lines);
+  float gap = (window - below - ui.px(24) - entries * line - lines) / (entries + lines);
   if (!ui.state.appearance.touch)
     gap = std::clamp(gap, ui.px(1), ui.px(6));
   else  // what a finger would miss scrolls rather
@@ -127,8 +122,23 @@ bool show_menu(const Ui& ui, const Menu& menu, bool open) {
     if (part.more != nullptr) part.more(ui);
   }
   ImGui::PopStyleVar();
-  ImGui::EndMenu();
-  return true;
+}
+
+// A menu of the bar; `open` opens it. Returns whether it is open.
+bool show_menu(const Ui& ui, const Menu& menu, bool open) {
+  const std::string heading = ui.say(menu.title);
+  if (open) ImGui::OpenPopup(heading.c_str());
+  // A menu longer than the window scrolls below the bar: covering the bar, it would take the click that opens it.
+  const float bar = ImGui::GetWindowHeight();
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowSizeConstraints({0, 0}, {window.x, std::max(window.y - bar - ui.px(4), 1.0f)});
+  const bool is_open = ImGui::BeginMenu(heading.c_str());
+  if (is_open) {
+    menu_entries(ui, menu, bar);
+    ImGui::EndMenu();
+  }
+  ui.publish(menu.name);
+  return is_open;
 }
 
 // Of the button for the language.

@@ -467,6 +467,28 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("a menu's heading is where it was while the menu is open") {
+  for (const auto& [width, height] : {std::pair{1280.0f, 720.0f}, {390.0f, 844.0f}}) {
+    Bench bench(at(0, Mode::move), width, height);
+    bench.unit = bench.dpi = shrink_to_fit(width, height, 1);
+    bench.resize(width, height);
+    for (const std::string menu : {"menu-file", "menu-view", "menu-panels"}) {
+      CAPTURE(width, menu);
+      const Rect closed = bench.rect(menu);
+      bench.click(menu);
+      bench.frames(2);
+      CHECK(bench.rect(menu) == closed);
+      if (width > 1000 && bench.has("menu/rays")) {
+        const Rect entry = bench.rect("menu/rays");
+        bench.click("menu/rays");
+        REQUIRE(bench.has("menu/rays-primary"));
+        CHECK(bench.rect("menu/rays") == entry);
+      }
+      bench.click(menu);  // closed again
+    }
+  }
+}
+
 TEST_CASE("on a telephone on its side the bars are as high as a finger needs, once one has touched it") {
   const FontFiles files = find_fonts(font_folders(""));
   for (const auto& [width, height] : {std::pair{844.0f, 390.0f}, {740.0f, 360.0f}}) {
