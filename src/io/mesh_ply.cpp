@@ -63,6 +63,7 @@ class PlyReader {
         vertices_ = std::min<std::int64_t>(element.count, std::numeric_limits<std::int32_t>::max());
     for (const PlyElement& element : elements_)
       if (!read_element(element)) return tl::unexpected(*error_);
+    if (!cut_waiting()) return tl::unexpected(*error_);
     if (normals_given_ < 3) mesh_.normals.clear();
     if (uv_given_ < 2) mesh_.uv.clear();
     if (const std::string why = detail::why_no_mesh(mesh_); !why.empty())
@@ -350,8 +351,24 @@ class PlyReader {
     const auto last = static_cast<std::size_t>(*std::max_element(face_.begin(), face_.end()));
     if (last < mesh_.positions.size())
       return detail::add_face(mesh_, face_) || fail(detail::too_many_corners(face_.size()), detail::hint_to_cut);
-    // Of faces that stand above the vertices nothing is known yet.
-    detail::add_fan(mesh_, face_);
+    waiting_.push_back(static_cast<std::int32_t>(face_.size()));
+    waiting_.insert(waiting_.end(), face_.begin(), face_.end());
+    return true;
+  }
+
+  /// The faces that stand above the vertices, of whose shape nothing was known until now.
+  bool cut_waiting() {
+    std::size_t number = 0;
+    for (auto next = waiting_.begin(); next != waiting_.end(); next += static_cast<std::ptrdiff_t>(face_.size())) {
+      const std::int32_t count = *next++;
+      face_.assign(next, next + count);
+      if (!detail::add_face(mesh_, face_)) {
+        error_ = Error{path_, 0, 0, fmt::format("face {}: {}", number, detail::too_many_corners(face_.size())),
+                       detail::hint_to_cut};
+        return false;
+      }
+      ++number;
+    }
     return true;
   }
 
@@ -361,7 +378,8 @@ class PlyReader {
   std::size_t at_ = 0, value_at_ = 0;  ///< of binary data: what is next, and the value that was read last
   Format format_ = Format::text, header_format_ = Format::text;
   std::vector<PlyElement> elements_;
-  std::vector<std::int32_t> face_;  ///< vertices of the one that is read
+  std::vector<std::int32_t> face_;     ///< vertices of the one that is read
+  std::vector<std::int32_t> waiting_;  ///< of each face above the vertices: how many corners, and their vertices
   Mesh mesh_;
   int normals_given_ = 0, uv_given_ = 0;
   std::int64_t vertices_ = 0;            ///< as the header counts them

@@ -1,5 +1,6 @@
 #include "io/nff_reader.h"
 
+#include "io/polygon_cut.h"
 #include "io/scene_parts.h"
 #include "math/elementary.h"
 #include "text/spelling.h"
@@ -9,7 +10,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <numeric>
 #include <optional>
+#include <vector>
 
 namespace raywalk {
 
@@ -238,15 +242,21 @@ class NffReader {
         add({names_.next("Polygon"), Shape<double>(polygon), of});
         return;
       }
-      if (!said_bent_)
-        words_.warn("a polygon is not flat, or has no area; it is cut into triangles from its first corner");
+      if (!said_bent_) words_.warn("a polygon is not flat, or has no area; it is cut into triangles");
       said_bent_ = true;
     }
     const auto corner = [&](std::size_t i) {
       return detail::MeshCorner{corners[i], with_normals ? normals[i] : Vec3d(0.0)};
     };
-    for (std::size_t i = 1; i + 1 < corners.size(); ++i)
-      triangles_.add(scene_, names_, of, {corner(0), corner(i), corner(i + 1)});
+    Mesh cut;
+    cut.positions = corners;
+    std::vector<std::int32_t> face(corners.size());
+    std::iota(face.begin(), face.end(), 0);
+    if (!detail::add_face(cut, face)) return words_.fail(detail::too_many_corners(face.size()), detail::hint_to_cut);
+    for (const auto& [a, b, c] : cut.triangles)
+      triangles_.add(scene_, names_, of,
+                     {corner(static_cast<std::size_t>(a)), corner(static_cast<std::size_t>(b)),
+                      corner(static_cast<std::size_t>(c))});
   }
 
   void add(Object object) {

@@ -42,11 +42,12 @@ class FaceOutline {
   Vec3d normal_{0.0};  ///< as long as twice the area
 };
 
-}  // namespace
-
+/// Triangles around the first corner.
 void add_fan(Mesh& mesh, const std::vector<std::int32_t>& corners) {
   for (std::size_t i = 2; i < corners.size(); ++i) mesh.triangles.push_back({corners[0], corners[i - 1], corners[i]});
 }
+
+}  // namespace
 
 // Cuts off ears: triangles of neighbours that hold no other corner (G. Meisters, "Polygons have ears", 1975).
 bool add_face(Mesh& mesh, const std::vector<std::int32_t>& face) {

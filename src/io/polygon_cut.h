@@ -17,8 +17,6 @@ inline constexpr std::size_t max_cut_corners = 10'000;
 /// around the first where that covers it. False, and nothing added, for a face that would take too long to cut.
 /// `too_many_corners` says so.
 [[nodiscard]] bool add_face(Mesh& mesh, const std::vector<std::int32_t>& face);
-/// The fan alone.
-void add_fan(Mesh& mesh, const std::vector<std::int32_t>& face);
 
 [[nodiscard]] std::string too_many_corners(std::size_t count);
 inline constexpr const char* hint_to_cut = "cut it into smaller faces with a modelling program";

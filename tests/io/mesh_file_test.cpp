@@ -142,7 +142,12 @@ TEST_CASE("a concave face is covered once by its triangles, and a notch stays op
                                                 "vertex_indices\nend_header\n{}{}\n",
                                                 plan.size(), vertices, ply),
                                     "a.ply");
-      for (const auto* read : {&of_obj, &of_ply}) {
+      const auto above = parse_ply(fmt::format("ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int "
+                                               "vertex_indices\nelement vertex {}\nproperty float x\nproperty float "
+                                               "y\nproperty float z\nend_header\n{}\n{}",
+                                               plan.size(), ply, vertices),
+                                   "above.ply");
+      for (const auto* read : {&of_obj, &of_ply, &above}) {
         REQUIRE(*read);
         const Mesh& mesh = *(*read)->mesh;
         CHECK(mesh.triangles.size() == plan.size() - 2);

@@ -3,6 +3,9 @@
 #include "shape/object_transform.h"
 #include "support/catch.h"
 
+#include <fmt/format.h>
+
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -129,6 +132,31 @@ TEST_CASE("NFF: polygons stay whole where they are flat; bent ones become triang
                            "p 4 0 0 0 1 0 0 1 1 1 0 1 0\n");
   REQUIRE(scene.objects.size() >= 3);
   CHECK(shape<Polygon<double>>(scene, 1).outline.size() == 5);
+}
+
+TEST_CASE("NFF: a notch stays open in a concave patch, and in a concave polygon that is bent") {
+  // A roof upside down, from each of its corners; the last time its tip is bent up.
+  const std::array<Vec3d, 5> roof{Vec3d(2, 1, 0), Vec3d(0, 3, 0), Vec3d(0, 0, 0), Vec3d(4, 0, 0), Vec3d(4, 3, 0)};
+  for (std::size_t first = 0; first < 2 * roof.size(); ++first) {
+    const bool smooth = first < roof.size();
+    std::string item = smooth ? "pp 5" : "p 5";
+    for (std::size_t i = 0; i < roof.size(); ++i) {
+      Vec3d at = roof[(first + i) % roof.size()];
+      if (!smooth && at.y == 1) at.z = 0.5;
+      item += fmt::format(" {} {} {}", at.x, at.y, at.z) + (smooth ? " 0 0 1" : "");
+    }
+    const Scene scene = read(view + "f 1 1 1 1 0 0 0 0\n" + item + "\n");
+    const Mesh& mesh = *shape<MeshShape>(scene, 0).mesh;
+    REQUIRE(mesh.triangles.size() == 3);
+    double covered = 0;
+    for (const auto& [a, b, c] : mesh.triangles) {
+      const auto at = [&](std::int32_t i) { return mesh.positions[static_cast<std::size_t>(i)]; };
+      const double twice = cross(at(b) - at(a), at(c) - at(a)).z;
+      CHECK(twice > 0);
+      covered += twice / 2;
+    }
+    CHECK(covered == Approx(8));
+  }
 }
 
 TEST_CASE("NFF: triangles of one material become a mesh; patches keep the normals of their corners") {
