@@ -229,9 +229,9 @@ struct Bsdf : std::conditional_t<with_facets, FacetLobes<T>, NoFacetLobes>,
     return chosen;
   }
   [[nodiscard]] bool has(Lobe lobe) const { return probability(lobe) > 0; }
-  /// `direction` mirrored in the surface.
+  /// `direction` mirrored in the surface itself, on one side of which each lobe has to stay.
   [[nodiscard]] Vec3<T> folded(const Vec3<T>& direction) const {
-    return direction - 2 * dot(direction, shading_normal) * shading_normal;
+    return direction - 2 * dot(direction, geometric_normal) * geometric_normal;
   }
   /// The pdf of a cone whose part beyond the surface is folded back. A sampled direction counts as inside despite
   /// rounding.
@@ -388,7 +388,7 @@ auto Bsdf<T, with_facets, with_maps>::sample(Lobe lobe, const Vec2<T>& u, [[mayb
         }
       }
       choice.direction = renormalize(Basis<T>(mirror_axis).to_world(sample_uniform_cone(u, mirror_width)));
-      if (!(dot(choice.direction, shading_normal) > 0)) choice.direction = folded(choice.direction);
+      if (!(dot(choice.direction, geometric_normal) > 0)) choice.direction = folded(choice.direction);
       break;
     case Lobe::phase:
       break;
@@ -396,7 +396,7 @@ auto Bsdf<T, with_facets, with_maps>::sample(Lobe lobe, const Vec2<T>& u, [[mayb
       choice.direction = transparent_axis;
       if (sharp(lobe)) break;
       choice.direction = renormalize(Basis<T>(transparent_axis).to_world(sample_uniform_cone(u, transparent_width)));
-      if (!(dot(choice.direction, shading_normal) < 0)) choice.direction = folded(choice.direction);
+      if (!(dot(choice.direction, geometric_normal) < 0)) choice.direction = folded(choice.direction);
       break;
   }
   if (sharp(lobe)) {

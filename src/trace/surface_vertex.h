@@ -99,7 +99,7 @@ template <class T, bool with_facets, bool with_maps>
   return snell_numbers(at.refraction);
 }
 
-/// A clear refracted ray whose bent normal would send it back out goes as the surface itself bends it.
+/// A clear refracted ray that an interpolated or bent normal would send back out goes as the surface itself bends it.
 template <class T, bool with_facets, bool with_maps>
 void keep_below(Bsdf<T, with_facets, with_maps>& bsdf, const Refraction<T>& at) {
   if (is_black(bsdf.transparent) || dot(bsdf.transparent_axis, bsdf.geometric_normal) < 0) return;
@@ -230,8 +230,7 @@ auto prepare_vertex(const World<T>& world, [[maybe_unused]] Nested& nested, cons
           glass != nullptr && world.draws)
         bsdf.take_glass(*glass, n1, at.refraction.cos_in, both);
     }
-    if constexpr (Policy::effects.maps)
-      if (maps != nullptr && maps->bends()) keep_below(bsdf, at.refraction);
+    if (bsdf.shading_normal != bsdf.geometric_normal) keep_below(bsdf, at.refraction);
   }
   if (!is_black(bsdf.mirror)) {
     bsdf.mirror_axis = renormalize(reflect(ray.ray.direction, bsdf.shading_normal));

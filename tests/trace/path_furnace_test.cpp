@@ -1,5 +1,8 @@
 // The path tracer in rooms and under lights whose radiance is known.
 
+#include <memory>
+
+#include "accel/meshes.h"
 #include "support/catch.h"
 #include "support/table.h"
 #include "trace/enclosures.h"
@@ -80,18 +83,24 @@ TEST_CASE("glass and mirrors in even light are not to be seen: every path brings
   Material glass = black();
   glass.transmission = Rgbd(1.0);
   glass.dielectric = true;
-  for (const double ior : {1.0, 1.33, 1.5, 2.4})
-    for (const double translucency : {0.0, 5.0, 60.0}) {
-      glass.ior = ior;
-      glass.translucency = glass.gloss = translucency;
-      Scene scene = room(Sphere<double>{{5, 0, 0}, 1}, glass);
-      scene.background = Rgbd(1.0);
-      for (const double y : {0.0, 0.4, 0.8, 0.97}) {
-        const Estimate estimate = light_along(scene, {0, 0, 0}, {5, y, 0}, 300, exactly(0));
-        CAPTURE(ior, translucency, y);
-        CHECK(estimate.mean.x == Approx(1).epsilon(1e-9));
+  // A ball, and a smooth mesh of one, whose normals lean away from its few triangles.
+  auto mesh = std::make_shared<Mesh>(icosphere(1, {5, 0, 0}));
+  for (const Vec3d& at : mesh->positions) mesh->normals.push_back(at - Vec3d(5, 0, 0));
+  MeshShape smooth;
+  smooth.mesh = mesh;
+  for (const Shape<double>& shape : {Shape<double>(Sphere<double>{{5, 0, 0}, 1}), Shape<double>(smooth)})
+    for (const double ior : {1.0, 1.33, 1.5, 2.4})
+      for (const double translucency : {0.0, 5.0, 60.0}) {
+        glass.ior = ior;
+        glass.translucency = glass.gloss = translucency;
+        Scene scene = room(shape, glass);
+        scene.background = Rgbd(1.0);
+        for (const double y : {0.0, 0.4, 0.8, 0.97}) {
+          const Estimate estimate = light_along(scene, {0, 0, 0}, {5, y, 0}, 300, exactly(0));
+          CAPTURE(shape.index(), ior, translucency, y);
+          CHECK(estimate.mean.x == Approx(1).epsilon(1e-9));
+        }
       }
-    }
 }
 
 TEST_CASE("a surface of all lobes never gives back more than came, by roulette or not") {
