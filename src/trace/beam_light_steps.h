@@ -179,7 +179,8 @@ Rgbd BeamTracer<Watcher>::shade_beside(int depth, const Part& beside, const Rgbd
     if (detail::why_unlit(at, light, seen.to_light)) continue;
     const Rgbd visible = light_through(beside, shadow_to(at, seen, 0), light).transmittance;
     if (is_black(visible)) continue;
-    const auto brought = detail::light_on(at, beside.ray, light, seen.to_light, visible);
+    const auto brought =
+        detail::light_on(at, beside.ray, light, seen.to_light, visible, detail::mirrors_at(world_, at));
     direct += brought.diffuse + brought.specular;
   }
   const Rgbd followed =
@@ -297,7 +298,8 @@ template <class Watcher>
 void BeamTracer<Watcher>::add_light(DirectLighting& direct, const Part& part, const Light& light, const Shadow& shadow,
                                     const Rgbd& visible) {
   if (is_black(visible)) return add_unlit(direct, light);
-  const auto brought = detail::light_on(*part.at, part.ray, light, shadow.ray.direction, visible);
+  const auto brought =
+      detail::light_on(*part.at, part.ray, light, shadow.ray.direction, visible, detail::mirrors_at(world_, *part.at));
   direct.sum += brought.diffuse + brought.specular;
   if constexpr (Observer::watches) direct.terms.push_back({light.index, brought.diffuse, brought.specular});
 }

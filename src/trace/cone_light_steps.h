@@ -2,12 +2,14 @@
 // What the statements of trace/cones.h about lights do. Included by it alone.
 
 #include "trace/cones.h"
+#include "trace/medium_walk.h"
 #include "trace/part_steps.h"
 #include "trace/shadow_transmittance.h"
 #include "trace/spawn_ray.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace raywalk {
@@ -53,6 +55,11 @@ Rgb<T> ConeTracer<T, Watcher, with_maps>::find_uncovered(int depth, const Part& 
     const double far = light.is_distant ? infinity<double> : length(Vec3d(shadow.to_light));
     const std::vector<ConePart> blockers =
         meet_cone(bodies_, shadow.cone, {part.object, part.part}, far, statistics_.tests);
+    const Vertex& at = *part.at;
+    const Medium* begins_in = dot(at.bsdf.geometric_normal, shadow.to_light) < 0 ? at.behind : at.medium;
+    const auto together = inside_each_other(blockers, part, shadow, light, begins_in);
+    if (together) uncovered *= together->transmittance;
+    bool leaves = together.has_value();  // the medium that it begins in, which has absorbed then
     for (std::size_t first = 0; first < blockers.size();) {
       double cover = 0;
       std::size_t last = first, widest = first;
@@ -60,11 +67,20 @@ Rgb<T> ConeTracer<T, Watcher, with_maps>::find_uncovered(int depth, const Part& 
         cover += blockers[last].cover;
         if (blockers[last].cover > blockers[widest].cover) widest = last;
       }
-      const Rgb<T> through = transmittance_of(blockers[widest], part, shadow, light);
-      uncovered *= Rgb<T>(1) - static_cast<T>(std::min(cover, 1.0)) * (Rgb<T>(1) - through);
+      const int primitive = primitive_of(blockers[widest]);
+      const bool counted = together && std::ranges::count(together->primitives, primitive) > 0;
+      const bool bounds = begins_in != nullptr && bounds_medium<T, NestedMedia<T>>(world_, begins_in, primitive);
+      leaves = leaves || bounds;
+      if (!counted) {
+        const Rgb<T> through = transmittance_of(blockers[widest], part, shadow, light, bounds ? begins_in : nullptr);
+        uncovered *= Rgb<T>(1) - static_cast<T>(std::min(cover, 1.0)) * (Rgb<T>(1) - through);
+      }
       if (!most || blockers[widest].cover > most->cover) most = blockers[widest];
       first = last;
     }
+    if (!leaves && begins_in != nullptr && begins_in->absorbs)
+      uncovered *= beer_lambert(begins_in->extinction,
+                                static_cast<T>(std::min(far, static_cast<double>(std::numeric_limits<T>::max()))));
   }
   const bool blocked = is_black(uncovered);
   ++statistics_.ends(blocked ? Ending::blocked : Ending::reached_light);
@@ -83,22 +99,47 @@ Rgb<T> ConeTracer<T, Watcher, with_maps>::find_uncovered(int depth, const Part& 
   return uncovered;
 }
 
-/// Of an object between a part and a light: 0, unless its material filters shadows.
+template <class T, class Watcher, bool with_maps>
+bool ConeTracer<T, Watcher, with_maps>::filters(const ConePart& blocker) const {
+  return role_of(world_.shadow_roles, primitive_of(blocker)) == ShadowRole::filters;
+}
+
+/// Of an object between a part and a light: 0, unless its material filters shadows. `medium`: the one that the shadow
+/// cone begins in, if it is the object's.
 template <class T, class Watcher, bool with_maps>
 Rgb<T> ConeTracer<T, Watcher, with_maps>::transmittance_of(const ConePart& blocker, const Part& part,
-                                                           const Shadow& shadow, const Light& light) {
-  const int object = bodies_[blocker.body].object;
-  const int primitive = primitives_[static_cast<std::size_t>(object)];
-  if (role_of(world_.shadow_roles, primitive) != ShadowRole::filters) return Rgb<T>(0);
+                                                           const Shadow& shadow, const Light& light,
+                                                           const Medium* medium) {
+  if (!filters(blocker)) return Rgb<T>(0);
+  const int primitive = primitive_of(blocker);
   const Vertex& at = *part.at;
   const double distance = length(Vec3d(shadow.to_light));
   const Vec3<T> along(distance * shadow.cone.direction(blocker.place));
   const auto ray = spawn_ray<Ray<T>>(world_, Vec3<T>(shadow.cone.start(blocker.place)), at.bsdf.geometric_normal,
                                      at.departure, along, at.time);
   if (world_.absorbs)
-    return absorbing_transmittance(world_, ray, light.t_far(), statistics_.tests, {primitive},
-                                   static_cast<const Medium*>(nullptr));
+    return absorbing_transmittance(world_, ray, light.t_far(), statistics_.tests, {primitive}, medium);
   return primitive_transmittance(world_, ray, light.t_far(), statistics_.tests, primitive);
+}
+
+template <class T, class Watcher, bool with_maps>
+auto ConeTracer<T, Watcher, with_maps>::inside_each_other(const std::vector<ConePart>& blockers, const Part& part,
+                                                          const Shadow& shadow, const Light& light,
+                                                          const Medium* medium) -> std::optional<Together> {
+  if (!world_.absorbs || world_.bodies.empty()) return std::nullopt;
+  const Vertex& at = *part.at;
+  const auto ray =
+      spawn_ray<Ray<T>>(world_, at.position, at.bsdf.geometric_normal, at.departure, shadow.to_light, at.time);
+  std::vector<int> met;
+  for (const ConePart& blocker : blockers) {
+    const int primitive = primitive_of(blocker);
+    if (!filters(blocker) || std::ranges::count(met, primitive) > 0) continue;
+    if (world_.accelerator.primitives().intersect(primitive, ray, light.t_far())) met.push_back(primitive);
+  }
+  const auto left =
+      nested_transmittance(world_, ray, light.t_far(), statistics_.tests, met, NestedMedia<T>::bodies_in(medium));
+  if (!left) return std::nullopt;
+  return Together{*left, met};
 }
 
 template <class T, class Watcher, bool with_maps>
@@ -111,7 +152,7 @@ void ConeTracer<T, Watcher, with_maps>::add_light(DirectLighting& direct, const 
                                                   const Shadow& shadow, const Rgb<T>& uncovered) {
   if (is_black(uncovered)) return add_unlit(direct, light);
   const detail::PartLight<T> brought =
-      detail::light_on(*part.at, part.ray, light, shadow.to_light, uncovered, part.facets ? &*part.facets : nullptr);
+      detail::light_on(*part.at, part.ray, light, shadow.to_light, uncovered, part.facets);
   direct.sum += brought.diffuse + brought.specular;
   if constexpr (Observer::watches) direct.terms.push_back({light.index, Rgbd(brought.diffuse), Rgbd(brought.specular)});
 }

@@ -142,7 +142,8 @@ void ConeTracer<T, Watcher, with_maps>::meet(Part& part, const Cone& cone) {
   const detail::MiddleOfPart<T> middle{part.ray, part.number, cone.medium};
   detail::ConeDifferential<T> differential(world_, part.width);
   part.at = prepare_vertex<AllEffects>(world_, nested_, middle, hit, statistics_, differential);
-  meet_facets(part);
+  const auto facets = detail::facets_at(world_, *part.at);
+  part.slope = static_cast<double>(facets.slope), part.facets = facets.shown;
   const auto& surface = *part.at->surface;
   part.ambient = part.at->values().ambient;
   if constexpr (with_maps)
@@ -153,36 +154,6 @@ void ConeTracer<T, Watcher, with_maps>::meet(Part& part, const Cone& cone) {
   else
     apply_pattern(part.ambient, surface, world_.accelerator.primitives(), hit.primitive, point, hit.part,
                   part.ray.time);
-}
-
-template <class T, class Watcher, bool with_maps>
-void ConeTracer<T, Watcher, with_maps>::meet_facets(Part& part) const {
-  const Vertex& at = *part.at;
-  if (world_.microsurfaces.empty()) return;
-  Vertex shown = at;
-  if constexpr (with_maps) {
-    if (at.mapped) {
-      part.slope = static_cast<double>(at.mapped->roughness);
-      shown.bsdf.mirror = at.mapped->reflection;
-      take_facets(shown, true, *world_.maps(*at.surface));
-      if (part.slope > 0) part.facets = shown.bsdf;
-      return;
-    }
-  }
-  const Microsurface<T>& own = world_.microsurfaces[static_cast<std::size_t>(at.surface - world_.surfaces.data())];
-  const T slope = own.facets ? own.facets->alpha() : own.glass;
-  if (!(slope > 0)) return;
-  part.slope = static_cast<double>(slope);
-  if (own.facets) {
-    shown.bsdf.facets = &own;
-    shown.bsdf.mirror = at.surface->reflection;
-  } else if (const auto* glass = world_.rough_dielectric(*at.surface, at.refraction.n1, at.refraction.n2)) {
-    shown.bsdf.take_glass(*glass, at.refraction.n1, at.refraction.cos_in,
-                          at.surface->reflection + at.surface->transmission);
-  } else {
-    return;  // it bends nothing
-  }
-  part.facets = shown.bsdf;
 }
 
 /// As drawn: two sides of a part, or of all of a cone, in the plan or beside the axis; in space its rim, too.

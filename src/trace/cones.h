@@ -141,14 +141,26 @@ class ConeTracer {
   Cone form_cone(const Pixel& pixel);
   std::vector<Part> find_cover(Line line, int depth, const Cone& cone);
   void meet(Part& part, const Cone& cone);
-  void meet_facets(Part& part) const;
   [[nodiscard]] BeamArea area_of(const RayCone& cone, const ConePart& part) const;
   int call_shade_cone(Line line, int depth, const Cone& cone);
   void begin(int depth, const std::vector<Part>& parts, const Part& part);
   std::optional<Shadow> form_shadow_cone(int depth, const Part& part, const Cone& cone, const Light& light);
   Rgb<T> find_uncovered(int depth, const Part& part, const Shadow& shadow, const Light& light);
+  [[nodiscard]] int primitive_of(const ConePart& blocker) const {
+    return primitives_[static_cast<std::size_t>(bodies_[blocker.body].object)];
+  }
+  [[nodiscard]] bool filters(const ConePart& blocker) const;
   [[nodiscard]] Rgb<T> transmittance_of(const ConePart& blocker, const Part& part, const Shadow& shadow,
-                                        const Light& light);
+                                        const Light& light, const Medium* medium);
+  /// What absorbing bodies leave of the ray in the middle of a shadow cone where it is inside of two at once, of which
+  /// only one absorbs; and which these are. None where it is not.
+  struct Together {
+    Rgb<T> transmittance;
+    std::vector<int> primitives;
+  };
+  [[nodiscard]] std::optional<Together> inside_each_other(const std::vector<ConePart>& blockers, const Part& part,
+                                                          const Shadow& shadow, const Light& light,
+                                                          const Medium* medium);
   void add_unlit(DirectLighting& direct, const Light& light);
   void add_light(DirectLighting& direct, const Part& part, const Light& light, const Shadow& shadow,
                  const Rgb<T>& uncovered);

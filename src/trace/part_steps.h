@@ -98,11 +98,11 @@ struct PartLight {
 };
 
 /// What a light brings to the middle of a part, whose ray is `ray`. `to_light`: not of unit length; `arriving`: how
-/// much of the light is not held up on its way. `facets`: small ones, that show their highlight; null: there are none.
+/// much of the light is not held up on its way. `facets`: small ones, that show their highlight, if there are any.
 template <class T, bool with_maps>
 [[nodiscard]] PartLight<T> light_on(const SurfaceVertex<T, true, with_maps>& at, const Ray<T>& ray,
                                     const typename World<T>::Light& light, const Vec3<T>& to_light,
-                                    const Rgb<T>& arriving, const Bsdf<T, true, with_maps>* facets = nullptr) {
+                                    const Rgb<T>& arriving, const std::optional<Bsdf<T, true, with_maps>>& facets) {
   const T distance = light.distance(to_light);
   const Vec3<T> l = to_light / distance, h = l - ray.direction;
   const Rgb<T> radiance = arriving * light.strength * (light.falloff(l) / light.attenuation(distance));
@@ -112,8 +112,50 @@ template <class T, bool with_maps>
   if (!is_black(at.specular))
     brought.specular =
         radiance * at.specular * power_of_cosine(dot(at.bsdf.shading_normal, h), dot(h, h), at.values().shininess);
-  if (facets != nullptr) brought.specular += radiance * facets->highlight_of_facets(l);
+  if (facets) brought.specular += radiance * facets->highlight_of_facets(l);
   return brought;
+}
+
+/// Small facets of a surface, although nothing is drawn of them: `slope`, their roughness, 0 for none; and the BSDF
+/// with them, which shows their highlight. None of glass that bends nothing.
+template <class T, bool with_maps>
+struct PartFacets {
+  T slope = 0;
+  std::optional<Bsdf<T, true, with_maps>> shown;
+};
+template <class T, bool with_maps>
+[[nodiscard]] PartFacets<T, with_maps> facets_at(const World<T>& world, const SurfaceVertex<T, true, with_maps>& at) {
+  if (world.microsurfaces.empty()) return {};
+  SurfaceVertex<T, true, with_maps> shown = at;
+  if constexpr (with_maps) {
+    if (at.mapped) {
+      const T slope = at.mapped->roughness;
+      shown.bsdf.mirror = at.mapped->reflection;
+      take_facets(shown, true, *world.maps(*at.surface));
+      return {slope, slope > 0 ? std::optional(shown.bsdf) : std::nullopt};
+    }
+  }
+  const Microsurface<T>& own = world.microsurfaces[static_cast<std::size_t>(at.surface - world.surfaces.data())];
+  const T slope = own.facets ? own.facets->alpha() : own.glass;
+  if (!(slope > 0)) return {};
+  if (own.facets) {
+    shown.bsdf.facets = &own;
+    shown.bsdf.mirror = at.surface->reflection;
+  } else if (const auto* glass = world.rough_dielectric(*at.surface, at.refraction.n1, at.refraction.n2)) {
+    shown.bsdf.take_glass(*glass, at.refraction.n1, at.refraction.cos_in,
+                          at.surface->reflection + at.surface->transmission);
+  } else {
+    return {slope, std::nullopt};
+  }
+  return {slope, shown.bsdf};
+}
+/// The small mirrors of `facets_at`, where rough glass is taken as clear.
+template <class T, bool with_maps>
+[[nodiscard]] std::optional<Bsdf<T, true, with_maps>> mirrors_at(const World<T>& world,
+                                                                 const SurfaceVertex<T, true, with_maps>& at) {
+  auto facets = facets_at(world, at).shown;
+  if (facets && facets->glass != nullptr) facets.reset();
+  return facets;
 }
 
 /// Of a light as it is seen along `l`, of unit length: of a disc of its area, in a flat world half its width; 0 of a

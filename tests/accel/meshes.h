@@ -1,6 +1,7 @@
 // Closed meshes to test with.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>

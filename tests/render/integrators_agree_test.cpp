@@ -1,0 +1,130 @@
+// What several integrators can show they show alike, where one of them did not: normals of smooth meshes that bend
+// light out again, lamps inside of what absorbs, the highlights of rough mirrors.
+
+#include "io/scene_file.h"
+#include "render/render.h"
+#include "support/catch.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+using namespace raywalk;
+
+namespace {
+
+std::vector<Rgbd> pixels_by(const std::string& text, Integrator integrator, int samples = 1) {
+  auto document = parse_scene(text, "agree.toml");
+  INFO((document ? "" : document.error().text()));
+  REQUIRE(document);
+  document->scene.render.integrator = integrator;
+  RenderSettings settings;
+  settings.sampling.per_pixel = samples;
+  const auto rendering = render(document->scene, settings);
+  REQUIRE(rendering);
+  const Film<double>& film = rendering->film_of<double>();
+  std::vector<Rgbd> pixels;
+  for (int y = 0; y < film.size().height; ++y)
+    for (int x = 0; x < film.size().width; ++x) pixels.push_back(film.at(x, y));
+  return pixels;
+}
+
+Rgbd mean(const std::vector<Rgbd>& pixels) {
+  Rgbd sum(0.0);
+  for (const Rgbd& pixel : pixels) sum += pixel;
+  return sum / static_cast<double>(pixels.size());
+}
+
+/// The largest difference of a channel in any pixel.
+double farthest(const std::vector<Rgbd>& a, const std::vector<Rgbd>& b) {
+  REQUIRE(a.size() == b.size());
+  double most = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const Rgbd apart = absolute(a[i] - b[i]);
+    most = std::max({most, apart.x, apart.y, apart.z});
+  }
+  return most;
+}
+
+void check_share(const Rgbd& found, const Rgbd& expected, double error) {
+  CAPTURE(found.x, found.y, found.z, expected.x, expected.y, expected.z);
+  for (int channel = 0; channel < 3; ++channel) CHECK(found[channel] == Approx(expected[channel]).epsilon(error));
+}
+
+}  // namespace
+
+TEST_CASE("a smooth normal that would bend light back into the glass bends it out by all integrators") {
+  // A sheet seen from inside at 69 degrees, where its own normal would reflect all, and the tilted one would not.
+  const std::string sheet = R"(
+background = 0.1
+camera = { eye = [-2.8, 0, -1.075], look_at = [0, 0, 0], up = [0, 1, 0], screen = { width = 0.001 } }
+image = { width = 3, height = 3 }
+limits = { depth = 20 }
+sky = { type = "gradient", horizon = [1, 0.2, 0], zenith = [0, 0.2, 1] }
+[[object]]
+name = "Sheet"
+type = "mesh"
+vertices = [[-20, -20, 0], [20, -20, 0], [20, 20, 0], [-20, 20, 0]]
+normals = [[0.5, 0, 0.866], [0.5, 0, 0.866], [0.5, 0, 0.866], [0.5, 0, 0.866]]
+triangles = [[0, 1, 2], [0, 2, 3]]
+material = { diffuse = 0, transmission = 1, ior = 1.5 }
+)";
+  const std::vector<Rgbd> rays = pixels_by(sheet, Integrator::whitted);
+  CHECK(mean(rays).x > 0.3);  // the sky, not the background inside
+  for (const Integrator other : {Integrator::path, Integrator::photons, Integrator::beams, Integrator::pencils})
+    CHECK(farthest(pixels_by(sheet, other), rays) < 1e-3);
+}
+
+TEST_CASE("a lamp inside of what absorbs is dimmed by all of it, and by what absorbs alone, to cones too") {
+  const auto scene = [](const std::string& eye, const std::string& lamp, const std::string& objects) {
+    return "background = 0\nambient = 0\n[camera]\neye = " + eye +
+           "\nlook_at = [0, 0, 0]\nfov = 20\n[image]\nwidth = 9\nheight = 9\n[limits]\ndepth = 12\n" +
+           "[[light]]\nname = \"Lamp\"\ntype = \"point\"\nposition = " + lamp + "\nattenuation = [1, 0.1, 0.2]\n" +
+           objects;
+  };
+  const auto glass = [](const std::string& name, const std::string& where, const std::string& absorption) {
+    return "[[object]]\nname = \"" + name + "\"\ntype = \"sphere\"\n" + where +
+           "\n[object.material]\ndiffuse = 0\ntransmission = [0.9, 1, 0.95]\nior = 1\nshadow = \"filtered\"\n" +
+           "absorption = " + absorption + "\n";
+  };
+  const std::string ball =
+                        "[[object]]\nname = \"Ball\"\ntype = \"sphere\"\ncentre = [0.5, 0, 0]\nradius = 0.4\n"
+                        "[object.material]\ndiffuse = 0.8\nspecular = 0\n",
+                    floor =
+                        "[[object]]\nname = \"Floor\"\ntype = \"plane\"\npoint = [0, 0, -1]\nnormal = [0, 0, 1]\n"
+                        "[object.material]\ndiffuse = 0.7\nspecular = 0\n";
+  // All in one; the lamp in two, one inside of the other; the lamp where two overlap.
+  for (const std::string& text : {scene("[-1, 0, 0.2]", "[0, 1.5, 0.3]",
+                                        ball + glass("Sea", "centre = [0, 0, 0]\nradius = 5", "[0.3, 0.6, 0.1]")),
+                                  scene("[-4, 0, 0.2]", "[0, 0, 2.5]",
+                                        floor + glass("Outer", "centre = [0, 0, 2.5]\nradius = 0.8", "[0.5, 1, 2]") +
+                                            glass("Inner", "centre = [0, 0, 2.5]\nradius = 0.4", "[2, 0.1, 0.5]")),
+                                  scene("[-4, 0, 0.2]", "[0, 0, 2.5]",
+                                        floor + glass("One", "centre = [0, 0, 2.2]\nradius = 0.8", "[0.5, 1, 2]") +
+                                            glass("Other", "centre = [0, 0, 2.6]\nradius = 0.6", "[2, 0.1, 0.5]"))}) {
+    const Rgbd expected = mean(pixels_by(text, Integrator::whitted, 16));
+    CHECK(expected.y > 1e-3);
+    check_share(mean(pixels_by(text, Integrator::cones)), expected, 0.03);
+  }
+}
+
+TEST_CASE("a rough mirror shows the highlight of a lamp to beams as to rays") {
+  const std::string text = R"(
+background = 0
+ambient = 0
+camera = { eye = [-5, 0, 0], look_at = [0, 0, 0], fov = 25 }
+image = { width = 15, height = 15 }
+[[light]]
+name = "Lamp"
+type = "point"
+position = [-4, 3, 0]
+[[object]]
+name = "Ball"
+type = "sphere"
+radius = 1
+material = { diffuse = 0, reflection = 0.8, roughness = 0.2 }
+)";
+  const Rgbd expected = mean(pixels_by(text, Integrator::whitted, 64));
+  CHECK(expected.x > 1e-3);
+  check_share(mean(pixels_by(text, Integrator::beams)), expected, 0.03);
+}
