@@ -3,7 +3,7 @@
 # Firefox, and a few in WebKit. What they need of npm's is fetched into BUILD/web-tests, once.
 # run.sh BUILD tools: only fetches that. run.sh BUILD figures: the page's figures instead; run.sh BUILD quick: a short set,
 # of two minutes; run.sh BUILD webkit: one of a minute in WebKit, where that is installed; run.sh BUILD NAME...: these tests
-# alone (NAME_test.mjs), RAYWALK_BROWSER=firefox in Firefox.
+# alone (NAME_test.mjs). RAYWALK_BROWSER=firefox: both in Firefox.
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -34,7 +34,7 @@ cd "$tools"
 failed=0
 case ${1:-} in
   figures) exec node "$tools/figures.mjs" ;;
-  quick) exec node --test "$tools/quick.mjs" ;;
+  quick) in_browser "${RAYWALK_BROWSER:-chromium}" quick.mjs || failed=1 ;;
   webkit) in_browser webkit webkit.mjs || failed=1 ;;
   '')
     in_browser chromium *_test.mjs || failed=1
