@@ -27,7 +27,7 @@ inline Mesh icosphere(int level, const Vec3d& centre = Vec3d(0.0), double radius
       for (std::size_t k = j + 1; k < 12; ++k) {
         if (!near(i, j) || !near(j, k) || !near(i, k)) continue;
         const Vec3d &a = mesh.normals[i], &b = mesh.normals[j], &c = mesh.normals[k];
-        const bool outwards = dot(cross(b - a, c - a), a) > 0;
+        const bool outwards = raywalk::dot(cross(b - a, c - a), a) > 0;
         const auto index = [](std::size_t n) { return static_cast<std::int32_t>(n); };
         mesh.triangles.push_back({index(i), index(outwards ? j : k), index(outwards ? k : j)});
       }

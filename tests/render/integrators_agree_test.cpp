@@ -57,7 +57,7 @@ TEST_CASE("a smooth normal that would bend light back into the glass bends it ou
   // A sheet seen from inside at 69 degrees, where its own normal would reflect all, and the tilted one would not.
   const std::string sheet = R"(
 background = 0.1
-camera = { eye = [-2.8, 0, -1.075], look_at = [0, 0, 0], up = [0, 1, 0], screen = { width = 0.001 } }
+camera = { eye = [-2.8, 0, -1.075], look_at = [0, 0, 0], up = [0, 1, 0], fov = 0.02 }
 image = { width = 3, height = 3 }
 limits = { depth = 20 }
 sky = { type = "gradient", horizon = [1, 0.2, 0], zenith = [0, 0.2, 1] }
@@ -121,6 +121,7 @@ position = [-4, 3, 0]
 [[object]]
 name = "Ball"
 type = "sphere"
+centre = [0, 0, 0]
 radius = 1
 material = { diffuse = 0, reflection = 0.8, roughness = 0.2 }
 )";
