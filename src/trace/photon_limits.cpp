@@ -10,16 +10,25 @@ namespace raywalk {
 
 namespace {
 
-/// Whether photons leave all of a primitive that emits.
-bool sends(const World<float>& world, const Emitters<float>& emitters, int id) {
+/// What photons leave of a primitive that emits: null for all, else what is to be said of it.
+const char* loss_of(const World<float>& world, const Emitters<float>& emitters, int id) {
   const Primitives<float>& primitives = world.accelerator.primitives();
-  if (primitives.moves(id)) return false;
+  if (primitives.moves(id)) return "is seen to shine, but lights nothing: no photons leave what moves";
   const Shape<float> shape = primitives.shape(id);
-  if (std::holds_alternative<Triangle<float>>(shape)) return true;  // be it one without an area
+  if (std::holds_alternative<Triangle<float>>(shape)) return nullptr;  // be it one without an area
   const auto* prism = std::get_if<Prism<float>>(&shape);
   const int last = prism != nullptr ? std::max(prism->top(), prism->bottom()) : 0;  // the last to be sampled, if at all
-  return std::any_of(emitters.all().begin(), emitters.all().end(),
-                     [&](const auto& each) { return each.primitive == id && each.part >= last; });
+  bool some = false;
+  for (const auto& each : emitters.all()) {
+    if (each.primitive != id) continue;
+    if (each.part >= last) return nullptr;
+    some = true;
+  }
+  return some ? "is seen to shine, but does not light all that it should: photons leave round spheres, disks, boxes, "
+                "and "
+                "faces without dents or holes only"
+              : "is seen to shine, but lights nothing: photons leave round spheres, disks, boxes, and faces without "
+                "dents or holes only";
 }
 
 bool shines_from_afar(const World<float>& world) {
@@ -45,12 +54,8 @@ std::vector<std::string> photon_losses(const Scene& scene) {
   };
   for (int id = 0; id < primitives.own_size(); ++id) {
     const auto& surface = world.surface(id);
-    if (!is_black(surface.emission) && !sends(world, emitters, id))
-      tell(id, true,
-           primitives.moves(id)
-               ? "is seen to shine, but lights nothing: no photons leave what moves"
-               : "is seen to shine, but does not light all that it should: photons leave round spheres, "
-                 "disks, boxes, and faces without dents or holes only");
+    if (!is_black(surface.emission))
+      if (const char* loss = loss_of(world, emitters, id)) tell(id, true, loss);
     if (from_afar && !is_black(surface.diffuse) && !primitives.box(id).bounded())
       tell(id, false,
            "gives other surfaces too little light: it is endless, and photons from afar fly to what has an end");

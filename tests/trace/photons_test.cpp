@@ -245,6 +245,13 @@ TEST_CASE("what photons leave out is said by the names of the objects") {
     return all;
   };
   CHECK(names() == "\"Tube\" \"Dented\" \"Star\" \"Moving\" ");
+  // The sides of the star shine, its caps do not; nothing of the others does.
+  for (const std::string& loss : photon_losses(scene)) {
+    CAPTURE(loss);
+    const bool is_star = loss.find("Star") != std::string::npos;
+    CHECK((loss.find("lights nothing") != std::string::npos) == !is_star);
+    CHECK((loss.find("does not light all that it should") != std::string::npos) == is_star);
+  }
   scene.background = Rgbd(1.0);
   CHECK(names() == "\"Tube\" \"Dented\" \"Star\" \"Moving\" \"Floor\" ");
   scene.render.integrator = Integrator::path;
