@@ -48,7 +48,7 @@ template <class Watcher>
 bool BeamTracer<Watcher>::is_lit(int outline) const {
   const int object = outlines_[static_cast<std::size_t>(outline)].object;
   const auto& surface = world_.surface(primitives_[static_cast<std::size_t>(object)]);
-  return world_.effects.used(Effect::shadows) && !(is_black(surface.diffuse) && is_black(surface.specular));
+  return world_.effects.used(Effect::shadows) && detail::shows_lights(world_, surface);
 }
 
 template <class Watcher>

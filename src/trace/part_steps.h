@@ -158,6 +158,13 @@ template <class T, bool with_maps>
   return facets;
 }
 
+/// Whether a surface shows lights, and so their shadows: what it has everywhere, without maps.
+template <class T>
+[[nodiscard]] bool shows_lights(const World<T>& world, const typename World<T>::Surface& surface) {
+  const Microsurface<T>* own = world.microsurface(surface);
+  return !is_black(surface.diffuse) || !is_black(surface.specular) || (own != nullptr && own->facets);
+}
+
 /// Of a light as it is seen along `l`, of unit length: of a disc of its area, in a flat world half its width; 0 of a
 /// point.
 template <class T>

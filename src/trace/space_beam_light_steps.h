@@ -43,7 +43,7 @@ template <class T, class Watcher>
 bool SpaceBeamTracer<T, Watcher>::shows_shadows(const BeamFace& face) const {
   const auto& surface = world_.surface(face.primitive);
   return world_.occludes && world_.effects.used(Effect::shadows) &&
-         !(is_black(surface.diffuse) && is_black(surface.specular) && world_.maps(surface) == nullptr);
+         (detail::shows_lights(world_, surface) || world_.maps(surface) != nullptr);
 }
 
 /// Whether some of a light lies in front of a surface, or shows through it.

@@ -6,6 +6,7 @@
 #include "support/catch.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -108,8 +109,8 @@ TEST_CASE("a lamp inside of what absorbs is dimmed by all of it, and by what abs
   }
 }
 
-TEST_CASE("a rough mirror shows the highlight of a lamp to beams as to rays") {
-  const std::string text = R"(
+TEST_CASE("a rough mirror shows the highlight of a lamp to beams as to rays, and the shadow of what is before it") {
+  const std::string lit = R"(
 background = 0
 ambient = 0
 camera = { eye = [-5, 0, 0], look_at = [0, 0, 0], fov = 25 }
@@ -125,7 +126,18 @@ centre = [0, 0, 0]
 radius = 1
 material = { diffuse = 0, reflection = 0.8, roughness = 0.2 }
 )";
-  const Rgbd expected = mean(pixels_by(text, Integrator::whitted, 64));
+  const std::string shaded = lit + R"(
+[[object]]
+name = "Shade"
+type = "sphere"
+centre = [-2.2, 1.4, 0]
+radius = 0.2
+material = { diffuse = 0 }
+)";
+  const Rgbd expected = mean(pixels_by(lit, Integrator::whitted, 64));
   CHECK(expected.x > 1e-3);
-  check_share(mean(pixels_by(text, Integrator::beams)), expected, 0.03);
+  check_share(mean(pixels_by(lit, Integrator::beams)), expected, 0.03);
+  const Rgbd in_shadow = mean(pixels_by(shaded, Integrator::whitted, 64));
+  CHECK(in_shadow.x < 0.7 * expected.x);
+  CHECK(std::abs(mean(pixels_by(shaded, Integrator::beams)).x - in_shadow.x) < 0.03 * expected.x);
 }
