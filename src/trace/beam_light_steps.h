@@ -173,14 +173,14 @@ template <class Watcher>
 Rgbd BeamTracer<Watcher>::shade_beside(int depth, const Part& beside, const Rgbd& mirrored, const Rgbd& beyond) {
   if (!beside.at) return detail::shade_of_middle(world_, beside, Rgbd(0.0)).total;
   const SurfaceVertex<double>& at = *beside.at;
+  const auto mirrors = detail::mirrors_at(world_, at);
   Rgbd direct{0.0};
   for (const Light& light : detail::lights_on(world_, beside)) {
     const LightSeen seen = seen_of(light, at);
     if (detail::why_unlit(at, light, seen.to_light)) continue;
     const Rgbd visible = light_through(beside, shadow_to(at, seen, 0), light).transmittance;
     if (is_black(visible)) continue;
-    const auto brought =
-        detail::light_on(at, beside.ray, light, seen.to_light, visible, detail::mirrors_at(world_, at));
+    const auto brought = detail::light_on(at, beside.ray, light, seen.to_light, visible, mirrors);
     direct += brought.diffuse + brought.specular;
   }
   const Rgbd followed =
