@@ -82,6 +82,10 @@ std::string warning_of_textures(const std::string& place, std::string_view which
       place, which, material.substr(0, 60), texture.substr(0, 100), more);
 }
 
+std::string warning_of_colours(const std::string& path) {
+  return path + ": warning: colours of vertices are not read; the surface shows its material's own colour";
+}
+
 MeshFile finished_mesh(Mesh mesh, const std::string& path) {
   MeshFile file{std::make_shared<const Mesh>(std::move(mesh)), nullptr};
   if (const std::string why = why_unseen(*file.mesh); !why.empty()) file.warnings = {path + ": warning: " + why};

@@ -60,6 +60,8 @@ inline constexpr std::size_t max_mesh_bytes = std::size_t{1} << 31;
 /// others have some. `place`: "FILE" or "FILE:LINE".
 [[nodiscard]] std::string warning_of_textures(const std::string& place, std::string_view which,
                                               std::string_view material, std::string_view texture, std::size_t others);
+/// The warning that colours of its vertices are not read.
+[[nodiscard]] std::string warning_of_colours(const std::string& path);
 /// The mesh read from the file `path`, with a warning if nothing of it is visible.
 [[nodiscard]] MeshFile finished_mesh(Mesh mesh, const std::string& path);
 

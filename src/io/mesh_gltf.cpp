@@ -86,6 +86,12 @@ class GltfReader {
       result.warnings.push_back(detail::warning_of_textures(path_, "some textures of this file", first_textured_.name,
                                                             first_textured_.texture, textured_ - 1));
     if (see_through_ > 0) result.warnings.push_back(warning_of_alpha());
+    if (has_uv_ && !maps_.laid_otherwise().empty())
+      result.warnings.push_back(
+          fmt::format("{}: warning: samplers are not read: that of a {} clamps, mirrors or does not blend; here all "
+                      "textures repeat, and their pixels are blended",
+                      path_, maps_.laid_otherwise()));
+    if (has_colours_) result.warnings.push_back(detail::warning_of_colours(path_));
     if (has_materials) result.materials = std::make_shared<const std::vector<Material>>(std::move(materials_));
     return result;
   }
@@ -188,6 +194,7 @@ class GltfReader {
       for (std::int64_t i = 0; i < uv.count; ++i) mesh_.uv.emplace_back(uv.number(i, 0), uv.number(i, 1));
       has_uv_ = true;
     }
+    has_colours_ = has_colours_ || file_.find(*attributes, "COLOR_0") != nullptr;
     mesh_.normals.resize(end, Vec3d(0.0));
     mesh_.uv.resize(end, Vec2d(0.0));
     add_triangles(primitive, mode, first, positions.count, map.determinant() < 0);
@@ -346,7 +353,7 @@ class GltfReader {
   std::string first_see_through_;
   std::size_t see_through_ = 0;  ///< materials whose alpha is not read
   std::int64_t nodes_visited_ = 0;
-  bool has_normals_ = false, has_uv_ = false;
+  bool has_normals_ = false, has_uv_ = false, has_colours_ = false;
 };
 
 }  // namespace

@@ -93,6 +93,8 @@ class GltfMaps {
   /// Adds the maps of its textures to a material that is made of the factors alone. The name of the first texture that
   /// is not read, with its image's name if it has one; or "".
   std::string add_to(Material& material, const Json& from, const Factors& factors);
+  /// The first texture that is read, but whose sampler would lay it otherwise than repeated and blended; or "".
+  [[nodiscard]] const std::string& laid_otherwise() const { return laid_otherwise_; }
 
  private:
   using Pixels = std::shared_ptr<const Image>;
@@ -106,12 +108,13 @@ class GltfMaps {
   Pixels read(const Json* use, const char* key, bool is_colour);
   [[nodiscard]] const Json* named_by(const Json& object, const char* key, const char* list) const;
   [[nodiscard]] std::optional<std::string> bytes_of(const Json& image) const;
+  [[nodiscard]] bool lies_as_read(const Json& texture) const;
 
   const GltfFile& file_;
   std::string path_;
   std::map<std::pair<const Json*, bool>, Pixels> images_;
   std::map<std::tuple<Pixels, Pixels, Factors>, Worn> worn_;
-  std::string unread_;
+  std::string unread_, laid_otherwise_;
 };
 
 }  // namespace raywalk::detail

@@ -58,6 +58,18 @@ std::optional<std::string> GltfMaps::bytes_of(const Json& image) const {
   return bytes.substr(offset, length);
 }
 
+bool GltfMaps::lies_as_read(const Json& texture) const {
+  const Json* sampler = named_by(texture, "sampler", "samplers");
+  if (sampler == nullptr) return true;
+  constexpr std::int64_t repeat = 10497, nearest = 9728;
+  const auto is = [&](const char* key, std::int64_t code) {
+    const Json* found = GltfFile::find(*sampler, key);
+    return found != nullptr && found->is_number_integer() && found->get<std::int64_t>() == code;
+  };
+  const auto repeats = [&](const char* key) { return GltfFile::find(*sampler, key) == nullptr || is(key, repeat); };
+  return repeats("wrapS") && repeats("wrapT") && !is("magFilter", nearest);
+}
+
 auto GltfMaps::read(const Json* use, const char* key, bool is_colour) -> Pixels {
   if (use == nullptr) return nullptr;
   const Json* texture = named_by(*use, "index", "textures");
@@ -75,6 +87,7 @@ auto GltfMaps::read(const Json* use, const char* key, bool is_colour) -> Pixels 
     }
     pixels = known->second;
   }
+  if (pixels && !lies_as_read(*texture) && laid_otherwise_.empty()) laid_otherwise_ = key;
   if (!pixels && unread_.empty()) {
     std::string name = image == nullptr ? "" : GltfFile::text_or_none(*image, "uri");
     if (name.empty() || name.rfind("data:", 0) == 0)

@@ -286,6 +286,7 @@ struct MtlMaterial {
     m.transmission = (1 - opaque) * filter;
     m.diffuse *= opaque;
     const int kind = illumination;
+    if (kind < 2) m.specular = Rgbd(0.0);                   // no highlight
     if (kind >= 3 && kind <= 8) m.reflection = m.specular;  // these trace a reflected ray
     m.dielectric = kind == 5 || kind == 7;                  // Fresnel
     // Only illum 6 and 7 bend rays: what is dissolved otherwise is seen through straight. Of 5, Fresnel needs Ni.

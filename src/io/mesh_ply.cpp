@@ -68,7 +68,9 @@ class PlyReader {
     if (uv_given_ < 2) mesh_.uv.clear();
     if (const std::string why = detail::why_no_mesh(mesh_); !why.empty())
       return tl::unexpected(Error{path_, 0, 0, why, "the file is damaged, or its program wrote it wrongly"});
-    return detail::finished_mesh(std::move(mesh_), path_);
+    MeshFile file = detail::finished_mesh(std::move(mesh_), path_);
+    if (has_colours_) file.warnings.push_back(detail::warning_of_colours(path_));
+    return file;
   }
 
  private:
@@ -270,6 +272,7 @@ class PlyReader {
     std::array<int, 8> given{};
     for (const Property& property : element.properties) {
       int slot = -1;
+      has_colours_ = has_colours_ || property.name == "red";
       for (std::size_t i = 0; i < names.size(); ++i)
         if (property.name == names[i]) slot = static_cast<int>(i);
       for (std::size_t i = 0; i < 2; ++i)
@@ -382,6 +385,7 @@ class PlyReader {
   std::vector<std::int32_t> waiting_;  ///< of each face above the vertices: how many corners, and their vertices
   Mesh mesh_;
   int normals_given_ = 0, uv_given_ = 0;
+  bool has_colours_ = false;
   std::int64_t vertices_ = 0;            ///< as the header counts them
   const PlyElement* element_ = nullptr;  ///< that is read
   std::size_t index_ = 0;                ///< of that element

@@ -212,6 +212,21 @@ TEST_CASE("only illum 6 and 7 of an MTL file bend rays, and 4 mirrors") {
   for (const int kind : {6, 7}) CHECK(material(kind).ior == Material{}.ior);
   CHECK(material(2).reflection == Rgbd(0.0));
   CHECK(material(4).reflection == Rgbd(0.5));
+  for (const int kind : {0, 1}) CHECK(material(kind).specular == Rgbd(0.0));  // no highlight
+  CHECK(material(2).specular == Rgbd(0.5));
+}
+
+TEST_CASE("that colours of a PLY file's vertices are not read is said") {
+  const auto read = parse_ply(
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "property uchar red\nproperty uchar green\nproperty uchar blue\nelement face 1\n"
+      "property list uchar int vertex_indices\nend_header\n"
+      "0 0 0 255 0 0\n1 0 0 0 255 0\n0 1 0 0 0 255\n3 0 1 2\n",
+      "a.ply");
+  REQUIRE(read);
+  CHECK(read->warnings ==
+        std::vector<std::string>{
+            "a.ply: warning: colours of vertices are not read; the surface shows its material's own colour"});
 }
 
 TEST_CASE("an ambient colour of 1 in an MTL file is what exporters write of every surface") {

@@ -216,6 +216,38 @@ TEST_CASE("a glTF file's textures become maps, where its vertices have texture p
   CHECK(bare.diffuse == Rgbd(1, 0.5, 0));
 }
 
+TEST_CASE("what a glTF file says of colours of vertices and of samplers is not read, and told of") {
+  const TemporaryFolder folder;
+  Image picture{1, 1, {{1, 1, 1}}};
+  REQUIRE(write_image(folder.file("t.png"), picture));
+  const auto warnings = [&](const std::string& attribute, const std::string& sampler) {
+    const std::string json =
+        R"("accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3"},
+                         {"bufferView": 1, "componentType": 5123, "count": 6, "type": "SCALAR"},
+                         {"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC2"}],
+           "bufferViews": [{"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 12}],
+           "textures": [{"source": 0, "sampler": 0}], "images": [{"uri": "t.png"}], "samplers": [{)" +
+        sampler + R"(}], "meshes": [{"primitives": [{"attributes": {"POSITION": 0)" + attribute +
+        R"(}, "indices": 1, "material": 0}]}],
+           "materials": [{"pbrMetallicRoughness": {"metallicFactor": 0, "baseColorTexture": {"index": 0}}}])";
+    const auto read = parse_gltf(glb(gltf(plain_node, "", json)), folder.file("a.glb"));
+    if (!read) FAIL(read.error().text());
+    return read->warnings;
+  };
+  const std::string uv = R"(, "TEXCOORD_0": 2)";
+  CHECK(warnings(uv, "").empty());
+  CHECK(warnings(uv, R"("wrapS": 10497, "wrapT": 10497, "magFilter": 9729)").empty());
+  CHECK(warnings("", R"("wrapS": 33071)").empty());  // its texture lies nowhere
+  for (const char* sampler : {R"("wrapS": 33071)", R"("wrapT": 33648)", R"("magFilter": 9728)"}) {
+    const auto told = warnings(uv, sampler);
+    REQUIRE(told.size() == 1);
+    CHECK_THAT(told.front(), contains("samplers are not read: that of a baseColorTexture"));
+  }
+  const auto told = warnings(uv + R"(, "COLOR_0": 0)", "");
+  REQUIRE(told.size() == 1);
+  CHECK_THAT(told.front(), contains("a.glb: warning: colours of vertices are not read"));
+}
+
 TEST_CASE("nodes put a mesh where they say, mirrored ones too") {
   const auto place = [](const std::string& nodes) {
     const auto read = parse_gltf(glb(gltf(nodes, "")), "a.glb");
