@@ -85,6 +85,7 @@ Result<std::string> encode_png(const Image& image, Encoding encoding) {
   header.version = PNG_IMAGE_VERSION;
   header.width = static_cast<png_uint_32>(image.width), header.height = static_cast<png_uint_32>(image.height);
   header.format = PNG_FORMAT_RGB;
+  if (encoding != Encoding::srgb) header.flags |= PNG_IMAGE_FLAG_COLORSPACE_NOT_sRGB;
   png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(header);
   std::string png(size, '\0');
   if (png_image_write_to_memory(&header, png.data(), &size, 0, bytes.data(), 0, nullptr) == 0)

@@ -83,7 +83,17 @@ std::optional<Image> numbers_of_16_bits(std::string_view bytes, std::int64_t max
   return numbers;
 }
 
+/// Whether libpng, asked for 8 bits, might mix the rows of its passes (its issue 853: of 16 bits a channel,
+/// interlaced).
+bool mixes_rows(std::string_view png) {
+  constexpr std::size_t depth = 24, interlace = 28;  // in the first chunk, which is always the same one
+  return png.size() > interlace && png[depth] == 16 && png[interlace] != 0;
+}
+
 Result<Bytes> decode_png(std::string_view bytes, const std::string& file, std::int64_t max_pixels) {
+  if (mixes_rows(bytes))
+    return no_texture(file, "this PNG has 16 bits a channel and is interlaced, which is not read",
+                      "save it again without interlacing, or with 8 bits");
   png_image header{};
   header.version = PNG_IMAGE_VERSION;
   const std::unique_ptr<png_image, decltype(&png_image_free)> image(&header, png_image_free);

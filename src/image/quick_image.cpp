@@ -34,13 +34,13 @@ class PngWriter {
   PngWriter(const PngWriter&) = delete;
   PngWriter& operator=(const PngWriter&) = delete;
 
-  Result<void> begin(int width, int height) {
+  Result<void> begin(int width, int height, Encoding encoding) {
     if (auto written = file_.write("\x89PNG\r\n\x1a\n"); !written) return written;
     using namespace std::string_view_literals;
     const auto side = [](int pixels) { return big_endian(static_cast<std::uint32_t>(pixels)); };
     if (auto written = chunk("IHDR", side(width).append(side(height)).append("\x08\x02\0\0\0"sv)); !written)
       return written;
-    return chunk("sRGB", "\0"sv);
+    return encoding == Encoding::srgb ? chunk("sRGB", "\0"sv) : Result<void>();
   }
   Result<void> row(std::span<const std::uint8_t> bytes) {
     constexpr std::array<std::uint8_t, 1> no_filter{0};
@@ -87,7 +87,7 @@ class PngWriter {
 Result<void> write_png(FileWriter& file, const ImageRows& rows, Encoding encoding) {
   PngWriter png(file);
   const auto width = static_cast<std::size_t>(rows.width);
-  if (auto begun = png.begin(rows.width, rows.height); !begun) return begun;
+  if (auto begun = png.begin(rows.width, rows.height, encoding); !begun) return begun;
   for (int row = 0; row < rows.begun; ++row)
     if (auto written = png.row(bytes_of({rows.row(row), width}, encoding)); !written) return written;
   const std::vector<std::uint8_t> black(3 * width);

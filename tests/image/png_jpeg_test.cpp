@@ -136,6 +136,28 @@ TEST_CASE("numbers keep the 16 bits of a PNG, also beside an alpha that hides no
   CHECK(decode_png_or_jpeg(written(0x8000), "", ByteMeaning::number));
 }
 
+TEST_CASE("a PNG that libpng would mix the rows of is refused, but for numbers that it can give as they are") {
+  using namespace std::string_view_literals;
+  // 2 x 2 pixels of 16 bits a channel, interlaced: made by hand after the specification.
+  const std::string_view png =
+      "\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\0\x02\0\0\0\x02\x10\x02\0\0\x01\xda\x43\x76\xa6\0\0\0\x22IDAT\x78\x9c"
+      "\x05\xc1\xc7\x11\x00\x20\x08\x00\xb0\x28\x67\xe3\xe9\x2c\xee\xbf\x1a\x26\xee\xa3\x8a\xa6\x0b\x86\x69\xd9\x8e\xfc"
+      "\x33\x1f\x02\x78\x7e\x97\xac\xe7\0\0\0\0IEND\xae\x42\x60\x82"sv;
+  const auto numbers = decode_png_or_jpeg(png, "", ByteMeaning::number);
+  REQUIRE(numbers);
+  const std::array<std::uint16_t, 12> samples{0x1234, 0, 0xffff, 1, 2, 3, 5, 6, 7, 8, 9, 10};
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    CHECK(numbers->pixels[i / 3][static_cast<int>(i % 3)] == static_cast<float>(samples[i] / 65535.0));
+  const auto colours = decode_png_or_jpeg(png, "wood.png", ByteMeaning::colour);
+  REQUIRE_FALSE(colours);
+  CHECK_THAT(colours.error().message, contains("interlaced"));
+}
+
+TEST_CASE("a PNG says that it is in sRGB only where it is") {
+  CHECK(encode_png(gradient()).value().find("sRGB") != std::string::npos);
+  CHECK(encode_png(gradient(), Encoding::truncated).value().find("sRGB") == std::string::npos);
+}
+
 TEST_CASE("chunks that are empty, or say that they are huge") {  // a fuzzer's findings
   const std::string png = encode_png(gradient()).value();
   const std::size_t first = png.find("IDAT") - 4;
