@@ -1,6 +1,7 @@
 #include "trace/ray_generator.h"
 
 #include <cmath>
+#include <numeric>
 
 namespace raywalk {
 
@@ -54,16 +55,21 @@ int cell_of_sample(int sample, int edge) {
   return static_cast<int>(static_cast<std::int64_t>(sample) * stride % (edge * edge));
 }
 
-/// The position of a sample without random numbers: the first ones in a k x k grid, the rest in one row.
+/// The position of a sample without random numbers: in a k x k grid or, where there is none of as many cells, in a
+/// lattice with one sample in each of as many rows and columns.
 template <class T>
 Vec2<T> RayGenerator<T>::fixed_place(int sample) const {
+  const int count = sampling_.per_pixel;
   int edge = 1;
-  while ((edge + 1) * (edge + 1) <= sampling_.per_pixel) ++edge;
-  const int square = edge * edge, left_over = sampling_.per_pixel - square;
-  if (sample >= square) return {(static_cast<T>(sample - square) + T(0.5)) / static_cast<T>(left_over), T(0.5)};
-  const int cell = cell_of_sample(sample, edge);
-  return {(static_cast<T>(cell % edge) + T(0.5)) / static_cast<T>(edge),
-          (static_cast<T>(cell / edge) + T(0.5)) / static_cast<T>(edge)};
+  while (edge * edge < count) ++edge;
+  const auto in = [](std::int64_t cell, int cells) { return (static_cast<T>(cell) + T(0.5)) / static_cast<T>(cells); };
+  if (edge * edge == count) {
+    const int cell = cell_of_sample(sample, edge);
+    return {in(cell % edge, edge), in(cell / edge, edge)};
+  }
+  int stride = static_cast<int>(std::lround(0.6180339887498949 * count));
+  while (std::gcd(stride, count) != 1) --stride;
+  return {in(sample, count), in(static_cast<std::int64_t>(sample) * stride % count, count)};
 }
 
 template class RayGenerator<float>;

@@ -127,6 +127,26 @@ TEST_CASE("samples stay in their pixel, one in each stratum") {
   }
 }
 
+TEST_CASE("samples without random numbers are even, however many: each row and column of the pixel has one") {
+  Scene scene;
+  scene.render.integrator = Integrator::whitted;
+  scene.camera = angle_camera(90, FovAxis::x);
+  const RayGenerator<double> centre(scene, {3, 3}, {3, 3});
+  const int samples = GENERATE(2, 3, 5, 6, 7, 8, 12, 1000);
+  const RayGenerator<double> camera(scene, {3, 3}, {3, 3}, {samples, 99});
+  const Vec3d c = direction(centre, 1, 1);
+  std::vector<int> columns(static_cast<std::size_t>(samples)), rows = columns;
+  for (int sample = 0; sample < samples; ++sample) {
+    const Vec3d d = direction(camera, 1, 1, sample);
+    const double x = (c.y / c.x - d.y / d.x) * 1.5 + 0.5, y = (c.z / c.x - d.z / d.x) * 1.5 + 0.5;
+    ++columns.at(static_cast<std::size_t>(x * samples));
+    ++rows.at(static_cast<std::size_t>(y * samples));
+  }
+  const std::vector<int> one_each(static_cast<std::size_t>(samples), 1);
+  CHECK(columns == one_each);
+  CHECK(rows == one_each);
+}
+
 TEST_CASE("samples depend on the seed and on nothing else, and are counted") {
   const Camera camera = angle_camera(90, FovAxis::x);
   const RayGenerator<double> a(camera, {8, 6}, {8, 6}, {4, 1}), same(camera, {8, 6}, {8, 6}, {4, 1}),
