@@ -24,7 +24,8 @@ namespace {
 using Colour = std::array<std::uint8_t, 3>;
 using Piece = ShadedPiece<double>;
 
-constexpr double widest_beam = 32;  // pixels along the side of a beam
+constexpr double widest_beam = 16;     // pixels along the side of a beam
+constexpr double drawn_as_same = 0.5;  // pixels: edges that move by less as a beam is cut
 constexpr std::size_t most_polygons = 2'000'000;
 
 Colour colour_of(const Rgbd& shade, Encoding encoding) {
@@ -63,7 +64,10 @@ class Drawer {
         camera_(scene, settings.size, settings.size) {}
 
   /// Adds what is seen in a rectangle, as few polygons as show how colours change.
-  void draw(const Vec2d& from, const Vec2d& to) { draw(from, to, parts(from, to)); }
+  void draw(const Vec2d& from, const Vec2d& to) {
+    Beam beam{from, to, parts(from, to)};
+    draw(beam);
+  }
 
   [[nodiscard]] std::size_t polygons() const { return polygons_; }
 
@@ -99,41 +103,78 @@ class Drawer {
     return parts_of_picture(world_, faces_, camera_, from, to, settings_.stop);
   }
 
-  void draw(const Vec2d& from, const Vec2d& to, const std::vector<Piece>& whole) {
-    if (polygons_ > most_polygons) return;
-    const Vec2d middle = (from + to) / 2.0;
-    if (std::max(to.x - from.x, to.y - from.y) > settings_.finest * (1 + 1e-9)) {
-      const std::array<std::pair<Vec2d, Vec2d>, 4> quarters{{{from, middle},
-                                                             {{middle.x, from.y}, {to.x, middle.y}},
-                                                             {{from.x, middle.y}, {middle.x, to.y}},
-                                                             {middle, to}}};
-      std::array<std::vector<Piece>, 4> finer;
-      bool changes = std::any_of(whole.begin(), whole.end(), [](const Piece& part) { return part.has_mean; });
-      for (std::size_t i = 0; i < 4; ++i) {
-        finer[i] = parts(quarters[i].first, quarters[i].second);
-        changes = changes || differ(whole, finer[i]);
-      }
-      if (changes) {
-        for (std::size_t i = 0; i < 4; ++i) draw(quarters[i].first, quarters[i].second, finer[i]);
-        return;
-      }
-    }
-    for (const Piece& part : whole) add(part);
+  /// A beam and, where it was asked for them, its quarters.
+  struct Beam {
+    Vec2d from, to;
+    std::vector<Piece> parts;
+    std::vector<Beam> quarters{};
+  };
+
+  void cut(Beam& beam) const {
+    if (!beam.quarters.empty()) return;
+    const Vec2d &from = beam.from, &to = beam.to, middle = (from + to) / 2.0;
+    for (const auto& [low, high] : {std::pair{from, middle}, std::pair{Vec2d(middle.x, from.y), Vec2d(to.x, middle.y)},
+                                    std::pair{Vec2d(from.x, middle.y), Vec2d(middle.x, to.y)}, std::pair{middle, to}})
+      beam.quarters.push_back({low, high, parts(low, high)});
   }
 
-  /// Whether what is seen from nearer has another colour than that of which it is a part.
-  [[nodiscard]] bool differ(const std::vector<Piece>& whole, const std::vector<Piece>& finer) const {
-    return std::any_of(finer.begin(), finer.end(), [&](const Piece& part) {
-      const Vec2d middle = middle_of(part.window);
-      const auto of = std::find_if(whole.begin(), whole.end(), [&](const Piece& each) {
-        return each.object == part.object && holds(each.window, middle);
-      });
-      if (of == whole.end()) return false;
-      const Colour a = colour_of(of->shade, scene_.encoding), b = colour_of(part.shade, scene_.encoding);
-      int most = 0;
-      for (std::size_t i = 0; i < 3; ++i) most = std::max(most, std::abs(a[i] - b[i]));
-      return most > settings_.tolerance;
+  [[nodiscard]] bool is_finest(const Beam& beam) const {
+    return !(std::max(beam.to.x - beam.from.x, beam.to.y - beam.from.y) > settings_.finest * (1 + 1e-9));
+  }
+
+  void draw(Beam& beam) {
+    if (polygons_ > most_polygons) return;
+    if (changes(beam)) {
+      for (Beam& quarter : beam.quarters) draw(quarter);
+      beam.quarters.clear();
+    } else {
+      for (const Piece& part : beam.parts) add(part);
+    }
+  }
+
+  /// Whether its quarters would be drawn otherwise than the whole, or theirs: what is small may lie between the middles
+  /// of a few parts. Then it has its quarters.
+  [[nodiscard]] bool changes(Beam& beam) const {
+    if (is_finest(beam)) return false;
+    cut(beam);
+    if (std::any_of(beam.parts.begin(), beam.parts.end(), [](const Piece& part) { return part.has_mean; })) return true;
+    if (differ(beam.parts, beam.quarters)) return true;
+    for (Beam& quarter : beam.quarters) {
+      if (is_finest(quarter)) continue;
+      cut(quarter);
+      if (differ(beam.parts, quarter.quarters)) return true;
+    }
+    return false;
+  }
+
+  [[nodiscard]] bool differ(const std::vector<Piece>& whole, const std::vector<Beam>& finer) const {
+    return std::any_of(finer.begin(), finer.end(), [&](const Beam& beam) {
+      return std::any_of(beam.parts.begin(), beam.parts.end(), [&](const Piece& part) { return !shows(whole, part); });
     });
+  }
+
+  /// Whether a drawing of the whole shows what is seen from nearer: the same object in about the same colour, in the
+  /// middle of the part and beside its corners.
+  [[nodiscard]] bool shows(const std::vector<Piece>& whole, const Piece& part) const {
+    const Colour colour = colour_of(part.shade, scene_.encoding);
+    const Vec2d middle = middle_of(part.window);
+    const auto shown_at = [&](const Vec2d& place) {
+      return std::any_of(whole.begin(), whole.end(), [&](const Piece& each) {
+        return each.object == part.object && holds(each.window, place) &&
+               alike(colour_of(each.shade, scene_.encoding), colour);
+      });
+    };
+    return shown_at(middle) && std::all_of(part.window.begin(), part.window.end(), [&](const Vec2d& corner) {
+             const Vec2d inwards = middle - corner;
+             const double far = length(inwards);
+             return !(far > 2 * drawn_as_same) || shown_at(corner + inwards * (drawn_as_same / far));
+           });
+  }
+
+  [[nodiscard]] bool alike(const Colour& a, const Colour& b) const {
+    for (std::size_t i = 0; i < a.size(); ++i)
+      if (std::abs(a[i] - b[i]) > settings_.tolerance) return false;
+    return true;
   }
 
   void add(const Piece& part) {

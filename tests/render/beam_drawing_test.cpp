@@ -2,6 +2,8 @@
 
 #include "render/beam_drawing.h"
 
+#include "image/srgb.h"
+#include "io/scene_file.h"
 #include "trace/beam_scene.h"
 #include "trace/space_beam_kernel.h"
 #include "trace/window_places.h"
@@ -139,6 +141,33 @@ Scene wall(ImageSize size) {
   return scene;
 }
 
+/// Of places all over the picture, the share where its drawing is not within 16 of 255 of what is seen there.
+double share_drawn_wrong(const Scene& scene, ImageSize size) {
+  BeamDrawingSettings settings;
+  settings.size = size;
+  const auto drawing = beam_drawing(scene, settings);
+  REQUIRE(drawing.has_value());
+  const std::vector<Painted> all = painted(drawing->svg, false);
+  const World<double> world(scene);
+  const BeamFaces faces = beam_faces_of(scene);
+  const RayGenerator<double> camera(scene, size, size);
+  int places = 0, wrong = 0;
+  for (double y = 0.37; y < size.height; y += 0.81)
+    for (double x = 0.29; x < size.width; x += 0.77) {
+      // A window as small as a point sees one part.
+      const auto seen = parts_of_picture(world, faces, camera, {x, y}, {x + 1e-6, y + 1e-6});
+      if (seen.size() != 1) continue;
+      const Rgbd drawn = colour_at(all, {x, y}), right = seen[0].shade;
+      double most = 0;
+      for (int i = 0; i < 3; ++i)
+        most = std::max(most, std::abs(255 * drawn[i] - to_byte(static_cast<float>(right[i]), scene.encoding)));
+      ++places;
+      wrong += most > 16 ? 1 : 0;
+    }
+  CHECK(places > size.width * size.height);
+  return static_cast<double>(wrong) / places;
+}
+
 }  // namespace
 
 TEST_CASE("a drawing by beams is polygons that are the picture, by objects with their names") {
@@ -192,6 +221,27 @@ TEST_CASE("a drawing shows the squares of a checker, however small beside what i
     }
   CHECK(places > 6000);
   CHECK(std::abs(light - places / 2) < places / 20);
+}
+
+TEST_CASE("a drawing shows what is small between the middles of beams, and edges where they are") {
+  // A spot of light on a wall, 3 pixels in radius, lies far from the middles of wide beams.
+  Scene scene = wall({64, 64});
+  scene.objects[0].material.ambient = Rgbd(0.0);
+  scene.objects[0].material.diffuse = Rgbd(0.9);
+  for (const Vec2d& place : {Vec2d(3.5, -4.5), Vec2d(8, 8), Vec2d(-13, 21), Vec2d(-24, -24)}) {
+    SpotLight spot;
+    spot.position = {place.x, -30, place.y};
+    spot.look_at = {place.x, 0, place.y};
+    spot.angle = spot.inner_angle = 2 * std::atan(0.1) * 180 / pi_v<double>;
+    scene.lights = {{"Lamp", Rgbd(1.0), spot}};
+    CHECK(share_drawn_wrong(scene, {64, 64}) < 0.002);
+  }
+  for (const char* name : {"flat_glass", "beams"}) {
+    const auto read = read_scene(std::string(RAYWALK_SOURCE_DIR) + "/scenes/" + name + ".toml");
+    REQUIRE(read);
+    INFO(name);
+    CHECK(share_drawn_wrong(read->scene, {160, 120}) < 0.01);
+  }
 }
 
 TEST_CASE("wires of a drawing darken a pixel by as much as they cover of it") {
