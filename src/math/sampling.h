@@ -174,14 +174,18 @@ template <class T>
 /// the solid angle is small enough to sample by area. In double for all scalars.
 class SphericalRectangle {
  public:
-  /// What of a rectangle is the same wherever it is seen from.
+  /// What of a rectangle is the same wherever it is seen from. Its unit of length is the rectangle's first edge.
   struct Axes {
     Axes() = default;  ///< mean nothing
     /// Of edges that are perpendicular, neither of them 0.
-    Axes(const Vec3d& u, const Vec3d& v)
-        : length_x(length(u)), length_y(length(v)), x(u / length_x), y(v / length_y), z(cross(x, y)) {}
-    double length_x, length_y;
-    Vec3d x, y, z;
+    Axes(const Vec3d& u, const Vec3d& v) : height(length(v) / length(u)) {
+      const double unit = 1 / length(u);
+      x = unit * normalize(u);
+      y = unit * normalize(v);
+      z = unit * normalize(cross(u, v));
+    }
+    double height;  ///< of the second edge
+    Vec3d x, y, z;  ///< as long as makes a product with them a length in that unit
   };
   SphericalRectangle(const Vec3d& point, const Vec3d& corner, const Axes& axes);
 
@@ -191,9 +195,9 @@ class SphericalRectangle {
   [[nodiscard]] Vec2d point_at(const Vec2d& unit) const;
 
  private:
-  double length_x_, length_y_;
-  double x0_, x1_, y0_, y1_, z_;  ///< the rectangle in its own axes, seen from the point; z <= 0
-  double b0_, b1_, k_, solid_angle_;
+  double x0_, x1_, y0_, y1_, z_;  ///< the rectangle in its own axes, seen from the point; z >= 0
+  double height_, solid_angle_;
+  Vec2d left_;  ///< cosine and sine, times a length, of the angle at which its first edge x = x0 begins
 };
 
 }  // namespace raywalk
