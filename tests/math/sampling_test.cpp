@@ -337,6 +337,26 @@ TEST_CASE("what a point sees of a rectangle: its solid angle, and points even by
   }
 }
 
+TEST_CASE("what is seen of a rectangle does not depend on the unit of length, nor ends as one comes near") {
+  const auto seen_from = [](double height, double unit) {
+    return SphericalRectangle({0, 0, unit * height}, {-unit, -unit, 0}, {{2 * unit, 0, 0}, {0, 3 * unit, 0}});
+  };
+  for (const double unit : {1e-30, 1e-9, 1.0, 1e9, 1e30}) {
+    INFO(unit);
+    for (const double height : {1e-12, 1e-6, 0.01, 1.0, 20.0}) {
+      const SphericalRectangle seen = seen_from(height, unit), same = seen_from(height, 1);
+      CHECK(seen.solid_angle() == Approx(same.solid_angle()).epsilon(1e-12));
+      for (const Vec2d& drawn : {Vec2d(0.01, 0.99), Vec2d(0.3, 0.6), Vec2d(1, 0)})
+        CHECK(length(seen.point_at(drawn) - same.point_at(drawn)) < 1e-9);
+    }
+  }
+  // Straight below, the plane of the rectangle fills the half of what is seen: all but what lies beyond its edges.
+  for (const double height : {1e-12, 1e-9, 1e-6}) {
+    const double beyond = height * (std::sqrt(5.0) + 2 * std::sqrt(2.0));  // at each corner distance / (x y)
+    CHECK(2 * pi_v<double> - seen_from(height, 1).solid_angle() == Approx(beyond).epsilon(1e-3));
+  }
+}
+
 TEST_CASE("a rectangle too small or seen edge on is drawn by area instead") {
   CHECK_FALSE(SphericalRectangle({0, 0, 0}, {1000, 0, 0}, {{0, 1, 0}, {0, 0, 1}}).usable());
   CHECK_FALSE(SphericalRectangle({0, 0, 0}, {1, 0, 0}, {{1, 0, 0}, {0, 1, 0}}).usable());
