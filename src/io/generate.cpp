@@ -64,30 +64,34 @@ class Sink {
   Result<void> result_;
 };
 
-/// Writes the parts of a scene as NFF or in our own format.
+/// Writes the parts of a scene as NFF or in our own format, where lights are as strong as NFF has them: of n together
+/// sqrt(n) / 2.
 class SceneSink {
  public:
   SceneSink(Sink& sink, bool toml) : sink_(sink), toml_(toml) {}
 
-  void begin(const Vec3d& eye, const Vec3d& look_at, double fov, const std::string& title) {
+  void begin(const Vec3d& eye, const Vec3d& look_at, double fov, const std::string& title,
+             const std::vector<Vec3d>& lights) {
+    const auto count = static_cast<double>(lights.size());
+    const double strength = std::sqrt(count) / (2 * count);
     if (toml_) {
       sink_.print(
-          "title = \"{}\"\nbackground = [0.3, 0.45, 0.7]\nambient = 0.3\n\n[camera]\neye = [{}, {}, {}]\n"
+          "title = \"{}\"\nbackground = [0.3, 0.45, 0.7]\nambient = {:.9g}\n\n[camera]\neye = [{}, {}, {}]\n"
           "look_at = [{}, {}, {}]\nfov = {}\nfov_axis = \"y\"\n\n[image]\nwidth = 512\nheight = 512\n",
-          title, eye.x, eye.y, eye.z, look_at.x, look_at.y, look_at.z, fov);
+          title, strength, eye.x, eye.y, eye.z, look_at.x, look_at.y, look_at.z, fov);
     } else {
       sink_.print(
           "# {}\nv\nfrom {} {} {}\nat {} {} {}\nup 0 0 1\nangle {}\nhither 0.01\nresolution 512 512\n"
           "b 0.3 0.45 0.7\n",
           title, eye.x, eye.y, eye.z, look_at.x, look_at.y, look_at.z, fov);
     }
-  }
-  void light(const Vec3d& p) {
-    if (toml_)
-      sink_.print("\n[[light]]\nname = \"Light {}\"\ntype = \"point\"\nposition = [{}, {}, {}]\nstrength = 0.4\n",
-                  ++lights_, p.x, p.y, p.z);
-    else
-      sink_.print("l {} {} {}\n", p.x, p.y, p.z);
+    for (const Vec3d& p : lights) {
+      if (toml_)
+        sink_.print("\n[[light]]\nname = \"Light {}\"\ntype = \"point\"\nposition = [{}, {}, {}]\nstrength = {:.9g}\n",
+                    &p - lights.data() + 1, p.x, p.y, p.z, strength);
+      else
+        sink_.print("l {} {} {}\n", p.x, p.y, p.z);
+    }
   }
   void material(const Rgbd& c, double diffuse, double specular) {
     if (!toml_) return sink_.print("f {} {} {} {} {} 40 0 1\n", c.x, c.y, c.z, diffuse, specular);
@@ -95,7 +99,7 @@ class SceneSink {
     material_ = fmt::format(
         "material = {{ ambient = [{0}, {1}, {2}], diffuse = [{0}, {1}, {2}], specular = {3}, shininess = 40, "
         "reflection = {4} }}\n",
-        kd.x, kd.y, kd.z, specular / 5, specular);
+        kd.x, kd.y, kd.z, specular, specular);
   }
   void sphere(const Vec3d& c, double radius) {
     if (toml_)
@@ -121,7 +125,6 @@ class SceneSink {
   Sink& sink_;
   bool toml_;
   std::string material_;
-  int lights_ = 0;
   std::int64_t spheres_ = 0;
 };
 
@@ -130,9 +133,8 @@ const std::array<Rgbd, 8> palette{Rgbd(0.85, 0.3, 0.25), Rgbd(0.9, 0.6, 0.2),   
                                   Rgbd(0.65, 0.35, 0.7), Rgbd(0.85, 0.85, 0.85)};
 
 void write_spheres(const GenerateOptions& options, Sink& sink, SceneSink& scene) {
-  scene.begin({2.6, -4.2, 2.2}, {0, 0, 0}, 32, fmt::format("{} spheres, seed {}", options.count, options.seed));
-  scene.light({5, -8, 9});
-  scene.light({-7, -3, 4});
+  scene.begin({2.6, -4.2, 2.2}, {0, 0, 0}, 32, fmt::format("{} spheres, seed {}", options.count, options.seed),
+              {{5, -8, 9}, {-7, -3, 4}});
   // They share the cube, so a ray hits about equally many for any count.
   const double usual = 0.45 * portable::pow(8.0 / options.count, 1.0 / 3);
   const auto draw = [&](int sphere, std::uint32_t dimension) {
@@ -167,10 +169,8 @@ void write_flake(Sink& sink, SceneSink& scene, const Vec3d& centre, double radiu
 }
 
 void write_flake(const GenerateOptions& options, Sink& sink, SceneSink& scene) {
-  scene.begin({2.4, 1.5, 1.7}, {0, 0, 0.12}, 40, fmt::format("A sphereflake of {} levels", options.levels));
-  scene.light({4, 3, 2});
-  scene.light({1, -4, 4});
-  scene.light({-3, 1, 5});
+  scene.begin({2.4, 1.5, 1.7}, {0, 0, 0.12}, 40, fmt::format("A sphereflake of {} levels", options.levels),
+              {{4, 3, 2}, {1, -4, 4}, {-3, 1, 5}});
   scene.material({1, 0.75, 0.35}, 0.8, 0);
   scene.floor(12, -0.5);
   scene.material({1, 0.9, 0.7}, 0.4, 0.5);
@@ -273,9 +273,8 @@ void write_obj(const BumpyBall& ball, Sink& sink) {
 }
 
 void write_nff(const BumpyBall& ball, Sink& sink, SceneSink& scene) {
-  scene.begin({2.6, -4.2, 2.2}, {0, 0, 0}, 32, fmt::format("A ball with bumps, of {} triangles", ball.triangles()));
-  scene.light({5, -8, 9});
-  scene.light({-7, -3, 4});
+  scene.begin({2.6, -4.2, 2.2}, {0, 0, 0}, 32, fmt::format("A ball with bumps, of {} triangles", ball.triangles()),
+              {{5, -8, 9}, {-7, -3, 4}});
   scene.material(palette[4], 0.9, 0);
   for (std::int64_t i = 0; i < ball.triangles() && sink.ok(); ++i) {
     sink.print("pp 3");
