@@ -99,6 +99,7 @@ Timeline::Timeline(std::vector<Event> events, ImageSize image) : image_(image), 
               if (found.object >= 0) {
                 record.end = found.point;
                 record.normal = found.normal;
+                record.shaded = found.shaded;
                 record.endless = false;
               }
             },
@@ -240,6 +241,7 @@ Timeline::Timeline(std::vector<Event> events, ImageSize image) : image_(image), 
                 record.direction = normalize(piece.point - piece.origin);
                 record.endless = piece.object < 0;
                 record.normal = piece.normal;
+                record.shaded = piece.shaded;
                 record.object = piece.object;
                 record.throughput = rays_[static_cast<std::size_t>(whole)].throughput * (piece.coverage / width);
                 record.found_at = after;

@@ -33,6 +33,7 @@ struct RayRecord {
   Vec3d end{0.0};  ///< where it ended: hit, blocker or light. For `endless` rays and stubs: origin + unit direction
   bool endless = false;  ///< hit nothing and has no light at its end: infinite
   Vec3d normal{0.0};     ///< outward normal where it hit something
+  HitNormals shaded{};   ///< where it hit a surface
   int object = -1;       ///< index in Scene::objects of what it hit, or of its blocker
   int part = 0;
   int light = -1;                     ///< shadow rays, photons: index in Scene::lights
@@ -42,6 +43,11 @@ struct RayRecord {
   double radius = 0, end_radius = 0;  ///< shadow cones: where they start, and at the light
   int formed_at = 0;                  ///< position from which it is drawn
   int found_at = 0;                   ///< position from which its end is known
+
+  /// The normal that its hit is shaded with, on the surface's outer side.
+  [[nodiscard]] Vec3d outward_shading_normal() const {
+    return dot(shaded.shading, normal) < 0 ? -shaded.shading : shaded.shading;
+  }
 };
 
 /// One execution of SHADE, FOLLOW PATH, FOLLOW PHOTON, GATHER LIGHT, SHADE PARTS, SHADE CONE or SHADE PENCIL.

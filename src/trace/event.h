@@ -132,6 +132,19 @@ struct RayNotFormed {
   int light_sample = 0;
 };
 
+/// The normals that a hit is shaded with, of unit length.
+struct HitNormals {
+  Vec3d shading{0.0};  ///< on the side that the ray came from, unless the material's is fixed; 0: no surface is shaded
+  std::optional<Vec3d> geometric{};  ///< the surface's own, on that side, where it is another one: of a normal that is
+                                     ///< interpolated, bent or fixed
+};
+template <class T>
+[[nodiscard]] HitNormals hit_normals(const Vec3<T>& shading, const Vec3<T>& geometric) {
+  HitNormals normals{Vec3d(shading)};
+  if (shading != geometric) normals.geometric = Vec3d(geometric);
+  return normals;
+}
+
 /// find_*: how a ray ended. The point and all members after it are set when something was hit.
 struct Found {
   int ray;
@@ -139,11 +152,12 @@ struct Found {
   double t = 0;
   int object = -1;  ///< index in Scene::objects: what was hit, or the nearest blocker of a shadow ray
   int part = 0;
-  Vec3d point{0.0}, normal{0.0};  ///< normal: unit length, outward
+  Vec3d point{0.0}, normal{0.0};  ///< normal: unit length, outward; interpolated or bent where the surface's is
   Rgbd transmittance{1.0};        ///< shadow rays: the transmittance of the filtering objects
   IntersectionNumbers numbers{};
   int triangle = -1;     ///< of a mesh: which one, from 0
   std::string member{};  ///< of an instance: the name of what was hit in its group
+  HitNormals shaded{};
 };
 
 /// if_*.
@@ -404,7 +418,8 @@ struct BeamPiece {
   double begin, end;
   double coverage;  ///< of the pixel: the width between these two places, to the last bit. Of a cone: its share of it
   BeamArea area;
-  Vec3d origin, point, normal;  ///< of the ray in its middle; `point`, `normal`: if it sees something
+  Vec3d origin, point, normal;  ///< of the ray in its middle; `point`, `normal` and `shaded`: if it sees something
+  HitNormals shaded{};
 };
 /// cut_beam, cut_mirrored_beam, find_cover and its like.
 struct BeamCut {

@@ -60,6 +60,7 @@ Found PathTracer<Policy>::describe_exit(const PathRay& ray) const {
       DipoleNumbers{static_cast<double>(exit.distance), Rgbd(exit.dipole->diffuse_reflectance(exit.distance)),
                     Rgbd(exit.dipole->total_reflectance())};
   found.member = world_.piece(exit.departure.primitive).member;
+  found.shaded = hit_normals(exit.shading_normal, exit.normal);
   return found;
 }
 

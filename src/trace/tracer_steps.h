@@ -3,6 +3,7 @@
 // it alone.
 
 #include "math/inlining.h"
+#include "trace/describe.h"
 #include "trace/representable.h"
 #include "trace/shadow_transmittance.h"
 #include "trace/tracer.h"
@@ -18,54 +19,6 @@ namespace detail {
 /// Always inlined: otherwise that would depend on the rest of the kernel.
 [[nodiscard, RAYWALK_INLINE_WHOLE]] inline std::uint64_t path_of_child(std::uint64_t parent, RayKind kind) {
   return child_path(parent, static_cast<std::uint32_t>(kind));
-}
-
-/// Keeps the numbers of one intersection test for an event.
-struct Explanation {
-  static constexpr bool wanted = true;
-  IntersectionNumbers numbers;
-  void quadratic(double a, double b, double c, double discriminant, double t0, double t1) {
-    numbers = QuadraticNumbers{a, b, c, discriminant, t0, t1};
-  }
-  void plane(double numerator, double denominator) { numbers = PlaneNumbers{numerator, denominator}; }
-};
-
-/// Describes a hit for an event.
-template <class T, class AnyRay>
-Found describe(int ray_number, Ending ending, const World<T>& world, const AnyRay& ray, const Hit<T>& hit) {
-  const Primitives<T>& primitives = world.accelerator.primitives();
-  const SurfacePoint<T> point = primitives.surface_at(hit.primitive, ray, Intersection<T>{hit.t, hit.part});
-  Explanation explanation;
-  static_cast<void>(primitives.intersect(hit.primitive, ray, infinity<T>, explanation));
-  const auto& surface = world.surface(hit.primitive);
-  const auto smooth = surface.fixed_normal ? primitives.given_normal(hit.primitive, point, ray.time)
-                                           : primitives.smooth_normal(hit.primitive, point, ray.time);
-  Vec3<T> normal = smooth.value_or(point.normal);
-  if (const SurfaceMaps<T>* maps = world.maps(surface); maps != nullptr && maps->bends())
-    normal = maps->bent(primitives, hit.primitive, point, hit.part, ray.time, normal);
-  const typename World<T>::Piece piece = world.piece(hit.primitive);
-  return {ray_number,
-          ending,
-          static_cast<double>(hit.t),
-          world.object(hit.primitive),
-          hit.part,
-          Vec3d(point.position),
-          Vec3d(normal),
-          Rgbd(1.0),
-          explanation.numbers,
-          piece.triangle,
-          piece.member};
-}
-
-/// Describes that nothing was hit.
-template <class T, class AnyRay>
-Found describe_missed(int ray_number, Ending ending, const World<T>& world, const AnyRay& ray) {
-  Found found{ray_number, ending};
-  if (!world.sky) return found;
-  const Vec3d direction(ray.direction);
-  const SkyLight::Place place = world.sky->place(direction);
-  found.numbers = SkyNumbers{place.elevation, place.azimuth, world.sky->pdf(direction), world.sky->radiance(direction)};
-  return found;
 }
 
 }  // namespace detail

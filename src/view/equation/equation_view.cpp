@@ -65,9 +65,10 @@ void draw_bend(Painter& painter, const BendNotes& notes) {
   if (normal == Vec2d(0.0) || back == Vec2d(0.0)) return;
   draw_normal(painter, at, normal);
   std::vector<Angle> angles{{at, back, normal, notes.angle_in, painter.pixels(notes.in_length)}};
+  const double facing = dot(notes.normal, notes.back) < 0 ? -1 : 1;  // a fixed normal may face away
   if (!notes.angle_out.empty() && out != Vec2d(0.0))
     angles.push_back(
-        {at, out, dot(out, normal) < 0 ? -normal : normal, notes.angle_out, painter.pixels(notes.out_length)});
+        {at, out, facing * dot(out, normal) < 0 ? -normal : normal, notes.angle_out, painter.pixels(notes.out_length)});
   for (const Angle& angle : angles) draw_arc(painter, angle);
   for (const Angle& angle : angles) say_angle(painter, angle);
 }
@@ -87,8 +88,7 @@ void EquationRoom::draw_in_plan(Painter& painter) {
   const double size = length(hit - from);
   if (!(size > 0)) return;
   const Vec2d back = (from - hit) / size;
-  const double facing = dot(ray.normal, ray.direction) > 0 ? -1 : 1;
-  const Vec2d normal = on_screen(facing * ray.normal);
+  const Vec2d normal = on_screen(ray.shaded.shading);
   if (!notes.angle.empty() && normal != Vec2d(0.0)) {
     draw_normal(painter, hit, normal);
     const Angle angle{hit, back, normal, notes.angle, size};

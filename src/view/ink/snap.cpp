@@ -61,7 +61,7 @@ void each_direction(const State& state, const Vec2d& vertex, double near, const 
     const bool ends = !ray.endless && length(plan(ray.end) - vertex) <= near;
     if (!ends && length(plan(ray.origin) - vertex) > near) return;
     visit(plan(ray.direction)), visit(-plan(ray.direction));
-    if (ends && ray.ending == Ending::hit) visit(plan(ray.normal)), visit(-plan(ray.normal));
+    if (ends && ray.ending == Ending::hit) visit(plan(ray.shaded.shading)), visit(-plan(ray.shaded.shading));
   });
 }
 

@@ -87,7 +87,8 @@ void draw_ray(Painter& painter, const RaysShown& shown, int index, const RayLook
 }
 
 void draw_normal(Painter& painter, const RayRecord& ray) {
-  const Vec2d normal(ray.normal.x, -ray.normal.y);
+  const Vec3d outward = ray.outward_shading_normal();
+  const Vec2d normal(outward.x, -outward.y);
   if (!(length(normal) > 1e-6)) return;
   const Vec2d at = painter.pixels(plan(ray.end));
   LineItem line{at, at + 26 * painter.sizes.unit * normal, painter.stroke(painter.colours.normal),

@@ -346,7 +346,7 @@ class Lines {
         continue;
       if (growth_of(state, index) || !state.legend.shows(ray.kind)) continue;
       const double size = 26 * painter_.sizes.unit / std::max(seen_.pixels_per_unit(ray.end), 1e-9);
-      if (const auto ends = seen_.segment(ray.end, ray.end + size * ray.normal))
+      if (const auto ends = seen_.segment(ray.end, ray.end + size * ray.outward_shading_normal()))
         painter_.add_clipped({(*ends)[0], (*ends)[1], painter_.stroke(painter_.colours.normal),
                               std::min(5 * painter_.sizes.unit, length((*ends)[1] - (*ends)[0]) / 2)});
     }

@@ -101,8 +101,8 @@ class EquationWriter {
   [[nodiscard]] const RayRecord& ray(int index) const { return timeline_.rays()[static_cast<std::size_t>(index)]; }
   [[nodiscard]] const RayRecord& current() const { return ray(timeline_.current_ray(state_.walk.position)); }
   [[nodiscard]] const RayRecord* parent() const { return current().parent < 0 ? nullptr : &ray(current().parent); }
-  /// The normal where `ray` ended, facing the ray.
-  static Vec3d facing(const RayRecord& ray) { return dot(ray.normal, ray.direction) > 0 ? -ray.normal : ray.normal; }
+  /// The normal that the hit of `ray` was shaded with; 0 where it was scattered, without a surface.
+  static const Vec3d& shaded_by(const RayRecord& ray) { return ray.shaded.shading; }
   [[nodiscard]] std::string light_name(int light) const {
     return light < 0 ? std::string() : raywalk::light_name(state_, light);
   }
@@ -148,8 +148,8 @@ class EquationWriter {
   void shadow(const RayFormed& formed) {
     line("P", formed.origin, "L", formed.direction);
     if (formed.light_at_end) row(Kind::note, light_name(formed.light), " ", Word{"equation.stands_at"}, " t = ", 1.0);
-    if (parent() == nullptr) return;
-    const Vec3d normal = facing(*parent());
+    if (parent() == nullptr || shaded_by(*parent()) == Vec3d(0.0)) return;
+    const Vec3d& normal = shaded_by(*parent());
     row(Kind::formula, "cos θ = N·L / |L|");
     row(Kind::numbers, "N = ", normal, state_.appearance.language.separator(), "|L| = ", length(formed.direction));
     row(Kind::numbers, "θ = ", angle_between(normal, formed.direction), "°");
@@ -157,7 +157,7 @@ class EquationWriter {
 
   void reflect(const RayFormed& formed) {
     if (parent() == nullptr) return;
-    const Vec3d normal = facing(*parent()), in = parent()->direction;
+    const Vec3d &normal = shaded_by(*parent()), &in = parent()->direction;
     // Of a rough mirror, the direction is that of a small mirror between both.
     constexpr double rounding = 1e-9;
     const int object = parent()->object;
@@ -189,7 +189,7 @@ class EquationWriter {
       const Vec3d along = normalize(s.n2 * formed.direction - s.n1 * normalize(parent()->direction));
       const Vec3d facet = dot(along, parent()->direction) < 0 ? along : -along;
       constexpr double rounding = 1e-9;
-      if (length(facet - facing(*parent())) > rounding) {
+      if (length(facet - shaded_by(*parent())) > rounding) {
         row(Kind::numbers, "H = ", facet);
         row(Kind::note, Word{"equation.small_facet"});
       }
@@ -221,12 +221,8 @@ class EquationWriter {
         row(Kind::formula, Word{"equation.share_allowed"});
         row(Kind::numbers, max_component(stub.throughput), " < ", scene().limits.threshold);
         return row(Kind::note, Word{"equation.no_ray"});
-      case Ending::facing_away: {
-        row(Kind::formula, "N·L > 0?");
-        if (parent() != nullptr)
-          row(Kind::numbers, "θ = ", angle_between(facing(*parent()), stub.direction), "° ≥ ", 90.0, "°");
-        return row(Kind::note, Word{"equation.light_behind"});
-      }
+      case Ending::facing_away:
+        return facing_away(stub.direction);
       case Ending::outside_cone:
         return row(Kind::note, Word{"equation.spot_elsewhere"});
       case Ending::wrong_side:
@@ -242,6 +238,30 @@ class EquationWriter {
     }
   }
 
+  /// Of no length: none was drawn on the light.
+  void facing_away(const Vec3d& to_light) {
+    row(Kind::formula, "N·L > 0?");
+    if (parent() == nullptr || shaded_by(*parent()) == Vec3d(0.0) || to_light == Vec3d(0.0))
+      return row(Kind::note, Word{"equation.light_behind"});
+    const Vec3d& normal = shaded_by(*parent());
+    const std::optional<Vec3d>& own = parent()->shaded.geometric;
+    const double angle = angle_between(normal, to_light);
+    const auto behind = [&](std::string_view name, double degrees) {
+      row(Kind::numbers, name, " = ", degrees, "° ≥ ", 90.0, "°");
+    };
+    if (!(dot(normal, to_light) > 0)) {
+      behind("θ", angle);
+    } else if (own && !(dot(*own, to_light) > 0)) {
+      row(Kind::numbers, "θ = ", angle, "° < ", 90.0, "°");
+      row(Kind::numbers, "N′ = ", *own);
+      behind("θ′", angle_between(*own, to_light));
+      return row(Kind::note, Word{"equation.light_behind_itself"});
+    } else {  // a faulty line says so, or nothing is scattered that way
+      row(Kind::numbers, "θ = ", angle, "°");
+    }
+    row(Kind::note, Word{"equation.light_behind"});
+  }
+
   void write(const Found& found) {
     const bool shadow = current().kind == RayKind::shadow;
     if (found.object < 0)
@@ -254,9 +274,12 @@ class EquationWriter {
     row(Kind::formula, shadow ? "P = P₀ + t L" : "P = O + t D");
     row(Kind::numbers, "P = ", found.point, between, "t = ", found.t);
     if (shadow) return row(Kind::note, Word{"equation.blocked_before"});
-    const Vec3d normal = facing(current());
+    const Vec3d& normal = shaded_by(current());
+    if (normal == Vec3d(0.0)) return;
+    if (found.ending != Ending::hit) return row(Kind::numbers, "N = ", normal);
     row(Kind::numbers, "N = ", normal, between, "θ = ", angle_between(normal, -current().direction), "°");
     if (dot(normal, found.normal) < 0) row(Kind::note, Word{"equation.normal_turned"});
+    if (current().outward_shading_normal() != found.normal) row(Kind::note, Word{"equation.normal_leaned"});
   }
 
   void solve(const std::monostate& /*none*/, double /*t*/) {}
@@ -304,7 +327,7 @@ class EquationWriter {
     // No transmission: Snell's law requires a sine above 1.
     const RayRecord& shaded =
         ray(timeline_.frames()[static_cast<std::size_t>(timeline_.current_frame(state_.walk.position))].ray);
-    const double angle = angle_between(facing(shaded), -shaded.direction);
+    const double angle = angle_between(shaded_by(shaded), -shaded.direction);
     row(Kind::formula, Word{"equation.sine"}, " θ₂ = n₁ ", Word{"equation.sine"}, " θ₁ / n₂");
     if (decided.snell)
       row(Kind::numbers, decided.snell->n1, " · ", Word{"equation.sine"}, " ", angle, "° / ", decided.snell->n2, " > ",

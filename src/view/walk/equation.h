@@ -49,7 +49,7 @@ struct HitNotes {
 /// out only the first.
 struct BendNotes {
   Vec3d at{0.0};                    ///< in the scene
-  Vec3d normal{0.0};                ///< unit length, facing the ray
+  Vec3d normal{0.0};                ///< that the hit was shaded with: facing the ray, unless it is fixed
   Vec3d back{0.0}, out{0.0};        ///< unit directions: back along the ray, and of the new ray
   double in_length = 0;             ///< of the ray that was bent, in scene units
   double out_length = 0;            ///< of the new one, also where it is yet to be found; infinite if it has no end

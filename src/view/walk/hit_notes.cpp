@@ -21,7 +21,7 @@ HitNotes hit_notes(const State& state) {
   if (found == nullptr) return {};  // of a beam
   HitNotes notes{"t = " + equation_number(found->t, state.appearance.language), {}};
   if (ray.ending != Ending::hit) return notes;
-  const double cosine = std::abs(dot(ray.normal, ray.direction)) / std::max(length(ray.direction), 1e-300);
+  const double cosine = -dot(ray.shaded.shading, ray.direction) / std::max(length(ray.direction), 1e-300);
   notes.angle =
       "θ = " + typeset_number(fmt::format("{:.1f}", angle_of_cosine(cosine)), state.appearance.language) + "°";
   return notes;
@@ -41,11 +41,11 @@ std::optional<BendNotes> bend_notes(const State& state) {
   const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(timeline.current_ray(state.walk.position))];
   if (ray.parent < 0 || (is_total && ray.formed)) return std::nullopt;
   const RayRecord& in = timeline.rays()[static_cast<std::size_t>(ray.parent)];
-  if (in.ending != Ending::hit || !(length(in.direction) > 0) || !(length(in.normal) > 0)) return std::nullopt;
+  if (in.ending != Ending::hit || !(length(in.direction) > 0) || !(length(in.shaded.shading) > 0)) return std::nullopt;
   BendNotes notes;
   notes.at = in.end;
   notes.back = -normalize(in.direction);
-  notes.normal = dot(in.normal, notes.back) < 0 ? -in.normal : in.normal;
+  notes.normal = in.shaded.shading;
   notes.in_length = length(in.end - in.origin);
   notes.out_length = ray.endless ? std::numeric_limits<double>::infinity() : length(ray.end - ray.origin);
   const auto angle = [&](const char* name, double cosine) {
