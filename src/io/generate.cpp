@@ -146,7 +146,7 @@ void write_spheres(const GenerateOptions& options, Sink& sink, SceneSink& scene)
     if (now != colour) {
       colour = now;
       const bool mirrors = colour + 1 == palette.size();
-      scene.material(palette[colour], mirrors ? 0.4 : 0.9, mirrors ? 0.5 : 0);
+      scene.material(palette[colour], mirrors ? 0.4 : 0.9, mirrors ? 0.3 : 0);
     }
     const double x = draw(i, 0), y = draw(i, 1), z = draw(i, 2), size = draw(i, 3);
     scene.sphere({2 * x - 1, 2 * y - 1, 2 * z - 1}, usual * (0.25 + 0.75 * size));
@@ -173,7 +173,7 @@ void write_flake(const GenerateOptions& options, Sink& sink, SceneSink& scene) {
               {{4, 3, 2}, {1, -4, 4}, {-3, 1, 5}});
   scene.material({1, 0.75, 0.35}, 0.8, 0);
   scene.floor(12, -0.5);
-  scene.material({1, 0.9, 0.7}, 0.4, 0.5);
+  scene.material({1, 0.9, 0.7}, 0.4, 0.3);
   write_flake(sink, scene, {0, 0, 0}, 0.5, {{1, 0, 0}, {0, 1, 0}}, {0, 0, 1}, options.levels);
 }
 

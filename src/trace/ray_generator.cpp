@@ -67,9 +67,16 @@ Vec2<T> RayGenerator<T>::fixed_place(int sample) const {
     const int cell = cell_of_sample(sample, edge);
     return {in(cell % edge, edge), in(cell / edge, edge)};
   }
-  int stride = static_cast<int>(std::lround(0.6180339887498949 * count));
-  while (std::gcd(stride, count) != 1) --stride;
-  return {in(sample, count), in(static_cast<std::int64_t>(sample) * stride % count, count)};
+  // The sequence R2 of M. Roberts ("The Unreasonable Effectiveness of Quasirandom Sequences", 2018), so that the first
+  // ones are spread, too: its steps in x and y, each made coprime to the number of samples.
+  const auto coprime = [count](double share, int other) {
+    int step = static_cast<int>(std::lround(share * count));
+    while (step > 1 && (std::gcd(step, count) != 1 || step == other)) --step;
+    return step;
+  };
+  const int across = coprime(0.7548776662466927, 0), up = coprime(0.5698402909980532, across);
+  const auto at = [&](int step) { return in(static_cast<std::int64_t>(sample) * step % count, count); };
+  return {at(across), at(up)};
 }
 
 template class RayGenerator<float>;
