@@ -56,55 +56,6 @@ TEST_CASE("Save without a path asks for one") {
   CHECK(read_document(folder.file("b.toml")).scene == state.scene());
 }
 
-TEST_CASE("a file that others have changed since it was opened is not written over unasked") {
-  const TemporaryFolder folder;
-  const std::string file = folder.file("scene.toml");
-  State state = saved_state(folder), other = classic_state();
-  update(other, action::Open{file});
-  make_dirty(state);
-  update(state, action::Save{});
-  const Scene theirs = state.scene();
-  other.document.contents.scene.title = "Mine";
-  make_dirty(other);
-  for (const bool under_its_name : {false, true}) {
-    if (under_its_name)
-      update(other, action::SaveAs{file});
-    else
-      update(other, action::Save{});
-    REQUIRE(other.document.question);
-    CHECK(other.document.question->kind == Question::Kind::overwrite);
-    CHECK_THAT(question_panel(other).text, contains("has been changed by another program or window"));
-    CHECK(read_document(file).scene == theirs);
-    update(other, action::AnswerQuestion{action::Answer::cancel});
-    CHECK(other.document.dirty);
-    CHECK(read_document(file).scene == theirs);
-  }
-  update(other, action::Save{});
-  update(other, action::AnswerQuestion{action::Answer::save});
-  CHECK_FALSE(other.document.dirty);
-  CHECK(read_document(file).scene == other.scene());
-  // What it has written itself it may write again, and what has vanished, anew.
-  for (const bool vanished : {false, true}) {
-    if (vanished) std::filesystem::remove(file);
-    make_dirty(other);
-    update(other, action::Save{});
-    CHECK_FALSE(other.document.question);
-    CHECK_FALSE(other.document.dirty);
-    CHECK(read_document(file).scene == other.scene());
-  }
-  // Nor is it lost where the window closes and is told to save.
-  make_dirty(other);
-  make_dirty(state);
-  update(state, action::Save{});
-  update(state, action::AnswerQuestion{action::Answer::save});
-  update(other, action::Quit{});
-  update(other, action::AnswerQuestion{action::Answer::save});
-  REQUIRE(other.document.question);
-  CHECK_FALSE(other.document.quit);
-  update(other, action::AnswerQuestion{action::Answer::save});
-  CHECK(other.document.quit);
-}
-
 TEST_CASE("a scene that ships is kept as it is: Save asks for another name, and the same one for a yes") {
   const TemporaryFolder folder;
   State state = saved_state(folder, "shipped.toml");

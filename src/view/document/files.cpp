@@ -1,6 +1,5 @@
 #include "render/parallel.h"
 #include "scene/warnings.h"
-#include "text/file.h"
 #include "text/file_ledger.h"
 #include "text/file_path.h"
 #include "view/action.h"
@@ -10,7 +9,6 @@
 #include "view/walk/walk.h"
 
 #include <filesystem>
-#include <functional>
 #include <memory>
 
 namespace raywalk {
@@ -28,15 +26,6 @@ bool same_file(const std::string& a, const std::string& b) {
 bool is_shipped(const State& state, const std::string& path) {
   return !state.lessons.scenes_folder.empty() &&
          same_file(std::filesystem::path(path).parent_path().string(), state.lessons.scenes_folder);
-}
-
-/// A hash of the bytes of a scene in our own format.
-std::optional<std::size_t> bytes_at(const std::string& path) {
-  if (path.empty() || scene_format_of(path) != SceneFormat::toml) return std::nullopt;
-  constexpr std::size_t most = std::size_t{1} << 30;
-  const Result<std::string> bytes = read_file(path, most);
-  if (!bytes) return std::nullopt;
-  return std::hash<std::string>()(*bytes);
 }
 
 /// Before the user's scene is replaced.
@@ -79,7 +68,6 @@ void write_to(State& state, const std::string& path) {
   }
   state.document.prompt = PathPrompt::none;
   state.document.path = absolute_path(path);
-  state.document.bytes_known = bytes_at(state.document.path);
   state.document.saved.reset();
   state.document.saved_ink = state.document.contents.ink_of_file();
   state.document.dirty = false;
@@ -89,16 +77,6 @@ void write_to(State& state, const std::string& path) {
   inform(state, fill("notice.saved_as", state.appearance.language, {{"file", path}}));
   if (const std::optional<Intent> intent = std::exchange(state.document.after_save, std::nullopt))
     intent->carry_out(state, state.document.after_save_path);
-}
-
-/// Writes the scene's own file, once asked if it is no longer the one that was read or written here: another window, or
-/// an editor, has written it since. One that has vanished is written anew.
-void write_own(State& state, const std::string& path) {
-  const std::optional<std::size_t> now = bytes_at(path);
-  if (now && state.document.bytes_known && *now != *state.document.bytes_known)
-    state.document.question = Question{Question::Kind::overwrite, {"question.changed_since", write_to}, path};
-  else
-    write_to(state, path);
 }
 
 /// Files that must not be replaced. A scene may overwrite itself and the file that it was read from.
@@ -160,7 +138,6 @@ void show_document(State& state, SceneDocument document, std::string path) {
   state.document.contents = std::move(document);
   state.document.worlds = std::make_shared<WorldCache>();
   state.document.path = std::move(path);
-  state.document.bytes_known = bytes_at(state.document.path);
   state.document.saved.reset();
   state.document.saved_ink = state.document.contents.ink_of_file();
   state.document.dirty = false;
@@ -293,7 +270,7 @@ void action::Save::apply(State& state) const {
     ask_path(state, PathPrompt::save_as);
     return inform(state, std::string(text("notice.save_elsewhere", state.appearance.language)));
   }
-  write_own(state, state.document.path);
+  write_to(state, state.document.path);
 }
 
 void action::SaveAs::apply(State& state) const {
@@ -302,8 +279,7 @@ void action::SaveAs::apply(State& state) const {
   if (state.document.prompt == PathPrompt::save_as) state.document.notice.reset();
   const std::string whole = has_scene_ending(path) ? path : path + std::string(scene_file_ending);
   const bool is_own = same_file(whole, state.document.path) && !is_shipped(state, whole);
-  if (is_own) return write_own(state, whole);
-  if (!asks_to_overwrite(state, whole, write_to, true)) write_to(state, whole);
+  if (is_own || !asks_to_overwrite(state, whole, write_to, true)) write_to(state, whole);
 }
 
 void action::NotSaved::apply(State& state) const {

@@ -45,7 +45,7 @@ struct Question {
   enum class Kind {
     unsaved,    ///< answers: save, discard, cancel
     recover,    ///< an autosave was found at the start; answers: recover, discard, cancel (asks at the next start)
-    overwrite,  ///< the file to be written exists, or has been changed by others; answers: save, cancel
+    overwrite,  ///< the file to be written exists; answers: save, cancel
   };
   Kind kind = Kind::unsaved;
   Intent intent{};         ///< continues with this after save or discard
@@ -292,8 +292,6 @@ struct DocumentRoom {
   std::string path;            ///< absolute; empty: never saved
   std::optional<Scene> saved;  ///< the scene as the file holds it; absent: as contents.scene
   Ink saved_ink{};             ///< the ink that the file holds
-  /// A hash of the bytes at `path` when they were last read or written; none: they could not be read.
-  std::optional<std::size_t> bytes_known{};
   bool dirty = false;          ///< contents differ from saved_scene or saved_ink
   std::uint64_t revision = 0;  ///< incremented with every change of contents.scene, to restart the 3-D image
   std::vector<std::shared_ptr<const Undone>> undo, redo;  ///< last in, first out; bounded (undo_entries, undo_bytes)
