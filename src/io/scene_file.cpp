@@ -255,25 +255,27 @@ std::string why_toml() {
 
 Result<SceneDocument> read_format(const std::string& path, SceneFormat format) {
   if (is_mesh(format)) return scene_of_mesh(path);
-  auto text = read_file(path, format == SceneFormat::toml ? max_scene_bytes : max_foreign_bytes);
+  if (format == SceneFormat::toml) {
+    auto text = read_scene_text(path);
+    if (!text) return tl::unexpected(text.error());
+    ReadLog log(path, true);
+    const std::string_view mark = text->starts_with(utf8_mark) ? utf8_mark : std::string_view();
+    auto document = parse_toml(std::string_view(*text).substr(mark.size()), path, log);
+    if (!document) return document;
+    document->text = std::move(*text);
+    const std::string folder = path.substr(0, path.find_last_of('/') + 1);
+    if (const auto loaded = load_textures(document->scene, folder); !loaded)
+      return tl::unexpected(log.where_named(loaded.error()));
+    return document;
+  }
+  const auto text = read_text(path, max_foreign_bytes);
   if (!text) return tl::unexpected(text.error());
-  const bool marked = text->starts_with(utf8_mark);
-  if (const auto plain = make_plain_text(*text, path); !plain) return tl::unexpected(plain.error());
   switch (format) {
-    case SceneFormat::toml: {
-      ReadLog log(path, true);
-      auto document = parse_toml(*text, path, log);
-      if (!document) return document;
-      if (marked) document->text.insert(0, utf8_mark);  // preserved when written
-      const std::string folder = path.substr(0, path.find_last_of('/') + 1);
-      if (const auto loaded = load_textures(document->scene, folder); !loaded)
-        return tl::unexpected(log.where_named(loaded.error()));
-      return document;
-    }
     case SceneFormat::nff:
       return parse_nff(*text, path);
     case SceneFormat::test:
       return parse_test_format(*text, path);
+    case SceneFormat::toml:
     case SceneFormat::ply:
     case SceneFormat::obj:
     case SceneFormat::gltf:
@@ -284,6 +286,15 @@ Result<SceneDocument> read_format(const std::string& path, SceneFormat format) {
 }
 
 }  // namespace
+
+Result<std::string> read_scene_text(const std::string& path) {
+  auto text = read_file(path, max_scene_bytes);
+  if (!text) return text;
+  const bool marked = text->starts_with(utf8_mark);
+  if (const auto plain = make_plain_text(*text, path); !plain) return tl::unexpected(plain.error());
+  if (marked) text->insert(0, utf8_mark);  // preserved when written
+  return text;
+}
 
 Result<SceneDocument> read_scene(const std::string& path) {
   const FileLedger ledger(FileLedger::Notes::reading);

@@ -15,7 +15,7 @@ namespace raywalk {
 /// A scene together with the text it was read from, whose comments and layout are preserved on writing.
 struct SceneDocument {
   Scene scene;
-  std::string text;                   ///< empty for a scene without a file
+  std::string text;                   ///< of the file when it was last read or written; empty: there was none
   std::vector<std::string> warnings;  ///< one line each, "FILE:LINE:COL: ..."
   /// The file that it was read from, to whose folder the names of meshes and textures are relative; may be empty.
   std::string path{};
@@ -71,6 +71,8 @@ enum class MeshReading { read, skip };
                                                 MeshReading meshes = MeshReading::read);
 /// Reads a scene in the format that the extension of `path` names. Formats other than ours give no text.
 [[nodiscard]] Result<SceneDocument> read_scene(const std::string& path);
+/// The text of a file in our format, as `read_scene` keeps it in `SceneDocument::text`, whether it is a scene or not.
+[[nodiscard]] Result<std::string> read_scene_text(const std::string& path);
 
 /// The text of `scene`, which is read back as the same scene, bit for bit. What is unchanged in `previous_text` is
 /// kept, with comments, order and layout: only values that differ are replaced; new objects and lights are added after

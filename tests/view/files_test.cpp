@@ -198,6 +198,77 @@ TEST_CASE("another file is not replaced without asking") {
   CHECK_FALSE(state.document.question);
 }
 
+TEST_CASE("what others have written to the scene's file is not replaced without asking") {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("scene.toml");
+  State state = saved_state(folder);
+  make_dirty(state);
+  const std::string before = *read_file(path, 1 << 20), theirs = before + "# by another window\n";
+  // The same bytes anew are no change.
+  REQUIRE(write_file_atomically(path, before));
+  update(state, action::Save{});
+  CHECK_FALSE(state.document.question);
+  CHECK_FALSE(state.document.dirty);
+
+  make_dirty(state);
+  REQUIRE(write_file_atomically(path, theirs));
+  for (const Action& save : {Action(action::Save{}), Action(action::SaveAs{path})}) {
+    update(state, save);
+    REQUIRE(state.document.question);
+    CHECK(state.document.question->kind == Question::Kind::overwrite);
+    CHECK(question_panel(state).text == fill("question.overwrite_changed", in_english, {{"file", path}}));
+    CHECK(question_panel(state).choices.front().answer == Answer::cancel);
+    update(state, action::AnswerQuestion{Answer::cancel});
+    CHECK(*read_file(path, 1 << 20) == theirs);
+    CHECK(state.document.dirty);
+  }
+  // Nor where it is to be saved before something else, which then waits for the answer.
+  update(state, action::Quit{});
+  update(state, action::AnswerQuestion{Answer::save});
+  REQUIRE(state.document.question);
+  CHECK_FALSE(state.document.quit);
+  CHECK(*read_file(path, 1 << 20) == theirs);
+  update(state, action::AnswerQuestion{Answer::save});
+  CHECK(state.document.quit);
+  CHECK(read_document(path).scene == state.scene());
+  // What was written now is known.
+  state.document.quit = false;
+  make_dirty(state);
+  update(state, action::Save{});
+  CHECK_FALSE(state.document.question);
+  CHECK_FALSE(state.document.dirty);
+}
+
+TEST_CASE("a scene's file that is gone is written anew, and one that became something else is asked about") {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("scene.toml");
+  State state = saved_state(folder);
+  make_dirty(state);
+  std::filesystem::remove(path);
+  update(state, action::Save{});
+  CHECK_FALSE(state.document.question);
+  CHECK(read_document(path).scene == state.scene());
+  make_dirty(state);
+  REQUIRE(write_file_atomically(path, std::string("\0\xff", 2)));  // no text
+  update(state, action::Save{});
+  CHECK(state.document.question);
+}
+
+TEST_CASE("a file that begins with a byte order mark, or has the line ends of another system, is known again") {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("scene.toml");
+  static_cast<void>(saved_state(folder));
+  std::string text = read_file(path, 1 << 20).value();
+  for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += 2) text.insert(at, "\r");
+  REQUIRE(write_file_atomically(path, "\xef\xbb\xbf" + text));
+  State state = make_state(read_document(path), path);
+  make_dirty(state);
+  update(state, action::Save{});
+  CHECK_FALSE(state.document.question);
+  CHECK_FALSE(state.document.dirty);
+  CHECK(read_file(path, 1 << 20).value().starts_with("\xef\xbb\xbf"));
+}
+
 TEST_CASE("the dialog for a path stays until the file is read or written") {
   const TemporaryFolder folder;
   State state = saved_state(folder);

@@ -37,6 +37,7 @@ TEST_CASE("what is not saved is autosaved within seconds, and recovered at the n
   CHECK(next.document.path == folder.file("scene.toml"));
   CHECK(broken_promise(next) == "");
   update(next, action::Save{});
+  CHECK_FALSE(next.document.question);  // the file is as it was
   CHECK(read_document(folder.file("scene.toml")).scene == scene);
   CHECK_FALSE(std::filesystem::exists(autosave));
 }

@@ -189,6 +189,7 @@ void recover(State& state, const Question& question) {
     document->path = original;
   }
   const Result<SceneDocument> file = read_scene(original);
+  if (file && !file->text.empty()) text = file->text;  // which the scene will be written into
   // A link may have opened a lesson or a hunt before this was asked.
   action::LeaveHunt{}.apply(state);
   show_another(state, std::move(*document), original);

@@ -79,6 +79,22 @@ void write_to(State& state, const std::string& path) {
     intent->carry_out(state, state.document.after_save_path);
 }
 
+/// Whether the scene's file holds something else than when it was last read or written here: another window or an
+/// editor has written to it. One that is gone has nothing to lose.
+bool changed_by_others(const DocumentRoom& document) {
+  std::error_code failed;
+  if (!std::filesystem::exists(document.path, failed)) return false;
+  if (std::filesystem::is_directory(document.path, failed)) return false;  // the writer says that it cannot
+  const Result<std::string> now = read_scene_text(document.path);
+  return !now || *now != document.contents.text;
+}
+
+/// Writes the scene to its own file, which this may be another name of, and asks first if others have changed that.
+void write_to_own(State& state, const std::string& path) {
+  if (!changed_by_others(state.document)) return write_to(state, path);
+  state.document.question = Question{Question::Kind::overwrite, {"question.overwrite_changed", write_to}, path};
+}
+
 /// Files that must not be replaced. A scene may overwrite itself and the file that it was read from.
 std::vector<std::string> files_in_use(const State& state, bool of_scene) {
   std::vector<std::string> files = state.document.keeps;
@@ -270,7 +286,7 @@ void action::Save::apply(State& state) const {
     ask_path(state, PathPrompt::save_as);
     return inform(state, std::string(text("notice.save_elsewhere", state.appearance.language)));
   }
-  write_to(state, state.document.path);
+  write_to_own(state, state.document.path);
 }
 
 void action::SaveAs::apply(State& state) const {
@@ -279,7 +295,8 @@ void action::SaveAs::apply(State& state) const {
   if (state.document.prompt == PathPrompt::save_as) state.document.notice.reset();
   const std::string whole = has_scene_ending(path) ? path : path + std::string(scene_file_ending);
   const bool is_own = same_file(whole, state.document.path) && !is_shipped(state, whole);
-  if (is_own || !asks_to_overwrite(state, whole, write_to, true)) write_to(state, whole);
+  if (is_own) return write_to_own(state, whole);
+  if (!asks_to_overwrite(state, whole, write_to, true)) write_to(state, whole);
 }
 
 void action::NotSaved::apply(State& state) const {

@@ -65,7 +65,7 @@ QuestionPanel question_panel(const State& state) {
       break;
     }
     case Question::Kind::overwrite:
-      panel.text = fill("question.overwrite", state.appearance.language, {{"file", question.path}});
+      panel.text = fill(question.intent.question, state.appearance.language, {{"file", question.path}});
       choice(Answer::cancel, "answer.cancel");
       choice(Answer::save, "answer.overwrite");
       break;

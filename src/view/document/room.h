@@ -45,7 +45,7 @@ struct Question {
   enum class Kind {
     unsaved,    ///< answers: save, discard, cancel
     recover,    ///< an autosave was found at the start; answers: recover, discard, cancel (asks at the next start)
-    overwrite,  ///< the file to be written exists; answers: save, cancel
+    overwrite,  ///< the file to be written exists, or others have changed it; answers: save, cancel
   };
   Kind kind = Kind::unsaved;
   Intent intent{};         ///< continues with this after save or discard
