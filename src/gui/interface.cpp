@@ -9,7 +9,10 @@
 #include "view/lesson/lesson_panel.h"
 #include "view/walk/asked.h"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
+#include <utility>
 
 namespace raywalk {
 
@@ -78,6 +81,28 @@ void Interface::grant(const Ui& ui) {
   }
 }
 
+void Interface::after_typing(std::function<void(const Ui& ui)> what) {
+  constexpr int once_typed = 2;  // frames: the next may bring letters that were typed before this was asked for
+  if (after_typing_.empty()) left_in_ = once_typed;
+  after_typing_.push_back(std::move(what));
+}
+
+void Interface::act_after_typing(const Action& action) {
+  if (ImGui::GetIO().WantTextInput) return after_typing([action](const Ui& ui) { ui.act(action); });
+  actions_.push_back(action);
+}
+
+namespace {
+
+/// Whether ImGui's fields have no use for the key, which types nothing either.
+bool is_for_no_field(const KeyPress& key) {
+  constexpr std::string_view edits = "ACVXYZ";  // select all, copy, paste, cut, redo and undo, also with Shift
+  if (!key.ctrl || key.alt) return false;
+  return key.key.size() == 1 ? edits.find(key.key) == std::string_view::npos : key.key.starts_with('F');
+}
+
+}  // namespace
+
 void Interface::press(const State& state, const Fonts& fonts, float unit, float dpi, const KeyPress& key) {
   rest_.hush();
   const bool asks = state.document.question || state.document.prompt != PathPrompt::none || state.link.shown;
@@ -98,7 +123,12 @@ void Interface::press(const State& state, const Fonts& fonts, float unit, float 
   // In a lesson's field for a number, capitals are commands.
   const bool is_capital = key.key.size() == 1 && key.key[0] >= 'A' && key.key[0] <= 'Z' && key.shift && !key.ctrl;
   const bool types = ImGui::GetIO().WantTextInput && !(lesson_.types() && is_capital);
-  if (!asks && (types || menu_open)) return;
+  if (!asks && (menu_open || (types && !is_for_no_field(key)))) return;
+  if (!asks && types) {
+    const Command* const command = command_of(key, state.walk.mode);
+    if (command != nullptr) after_typing([command](const Ui& ui) { perform(*command, ui); });
+    return;
+  }
   press_key(key, with);
   grant(with);
 }
@@ -112,6 +142,12 @@ void Interface::run(const State& state, const Fonts& fonts, float unit, float dp
 void Interface::draw(const State& state, const Fonts& fonts, float unit, float dpi, const PictureView& picture) {
   items_.clear();
   Ui with = ui(state, fonts, unit, dpi);
+  const bool leaves = left_in_ > 0 && --left_in_ == 0;
+  if (leaves && text_begun(state) != nullptr) {
+    with.act(action::FinishInk{});          // a field that is merely left drops its text
+  } else if (leaves && !lesson_.types()) {  // where a guess is taken over letter by letter
+    ImGui::ClearActiveID();
+  }
   ImGuiIO& io = ImGui::GetIO();
   if (io.MouseDelta.x != 0 || io.MouseDelta.y != 0) rest_.pointer_moved();
   // Arrows and Enter work inside menus and dialogs; outside they are commands.
@@ -246,6 +282,8 @@ void Interface::draw(const State& state, const Fonts& fonts, float unit, float d
   question_dialog(with);
   show_tooltip(with);
   ImGui::PopFont();
+  if (leaves)
+    for (const auto& what : std::exchange(after_typing_, {})) what(with);
   grant(with);
   next_frame_in_ = rest_.end_frame();
 }

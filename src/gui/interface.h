@@ -5,6 +5,7 @@
 #include "gui/panes.h"
 #include "gui/window.h"
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -18,8 +19,11 @@ class Interface {
 
   /// Draws `state` between ImGui::NewFrame and Render. `unit` and `dpi` as in Ui.
   void draw(const State& state, const Fonts& fonts, float unit, float dpi, const PictureView& picture);
-  /// Handles a key press; keys for a text field or an open menu are left to it.
+  /// Handles a key press; keys for a text field or an open menu are left to it. What no field uses, such as Ctrl+S,
+  /// ends the typing first.
   void press(const State& state, const Fonts& fonts, float unit, float dpi, const KeyPress& key);
+  /// Acts once what is being typed into a field has been taken over: a few frames later; at once if nothing is.
+  void act_after_typing(const Action& action);
   /// Runs a command, if it is enabled.
   void run(const State& state, const Fonts& fonts, float unit, float dpi, const Command& command);
 
@@ -38,6 +42,7 @@ class Interface {
  private:
   [[nodiscard]] Ui ui(const State& state, const Fonts& fonts, float unit, float dpi);
   void grant(const Ui& ui);
+  void after_typing(std::function<void(const Ui& ui)> what);
 
   std::string home_;
   std::vector<Action> actions_;
@@ -58,6 +63,8 @@ class Interface {
   struct Aside {
     int neighbour = -1, frames = 0;
   } aside_;
+  std::vector<std::function<void(const Ui& ui)>> after_typing_;
+  int left_in_ = 0;  ///< frames until the field is left, and these are done
   float scroll_help_ = 0;
   double next_frame_in_ = -1;
 };

@@ -75,7 +75,7 @@ class Loop::Parts {
     pass_time();
     for (const KeyPress& key : window_.minimised() ? window_.drop_keys() : window_.take_keys()) press(key);
     if (window_.take_key_release()) let_go();
-    if (window_.take_close_request()) act_from_outside(action::Quit{});
+    if (window_.take_close_request()) close();
     if (!broken_ && !window_.minimised()) {
       work_on_structures();
       if (frames_due_ > 0 && structures_.patience() == 0) frame(nullptr);
@@ -147,6 +147,16 @@ class Loop::Parts {
           Notice::Kind::info, fill("notice.reading_cancelled", state_.appearance.language, {{"file", awaited->name}})};
     }
     if (!options_.demo_path.empty()) note_failure(action);
+  }
+
+  // What is being typed is work too, which the question about it must know of.
+  void close() {
+    if (broken_) return;
+    if (window_.minimised()) return act_from_outside(action::Quit{});  // no frame would come
+    if (animation_) finish_animation();
+    interface_.act_after_typing(action::Quit{});
+    frames_due_ = frames_to_settle;
+    apply();
   }
 
   // An animation in the making would show what is done meanwhile: it ends here.

@@ -149,6 +149,15 @@ TEST_CASE("words are typed in the plan, ended by Enter and dropped by Escape") {
   CHECK_FALSE(bench.has("ink-field"));
   CHECK(ink_of(bench).size() == 2);
   CHECK(bench.state.ink.on);
+
+  // What opens a dialog leaves the field, too, and drops nothing.
+  click_at(at.x, at.y + 180);
+  bench.type("len");
+  ImGui::GetIO().AddInputCharactersUTF8("s");  // with the same frame
+  bench.key("Ctrl+O");
+  CHECK(bench.state.document.prompt == PathPrompt::open);
+  REQUIRE(ink_of(bench).size() == 3);
+  CHECK(std::get<InkText>(ink_of(bench).back().shape).text == "lens");
 }
 
 TEST_CASE("the tools of ink are whole in every language, size and theme") {

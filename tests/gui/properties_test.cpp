@@ -333,6 +333,67 @@ TEST_CASE("an object is renamed when the typing has ended, not letter by letter"
   CHECK(bench.state.document.undo.size() == 1);
 }
 
+TEST_CASE("commands that no field has a use for take over what was typed, and then act") {
+  Bench bench(selected({TargetKind::object, 0}));
+  bench.frames(2);
+  const auto name = [&] { return bench.state.scene().objects[0].name; };
+  bench.double_click(field("property.name"));
+  bench.type("Moo");
+  bench.forget();
+  // Its last letter comes with the same frame as the key.
+  ImGui::GetIO().AddInputCharactersUTF8("n");
+  bench.key("Ctrl+S");
+  CHECK_THAT(name(), contains("Moon"));
+  REQUIRE(bench.actions.size() >= 2);
+  CHECK(bench.actions[0].is<action::Rename>());
+  CHECK(bench.actions[1].is<action::Save>());
+  CHECK(bench.state.document.prompt == PathPrompt::save_as);
+  update(bench.state, action::CancelPrompt{});
+  bench.frames(3);
+
+  bench.double_click(field("property.radius"));
+  bench.type("0.75");
+  bench.key("Ctrl+O");
+  CHECK(sphere(bench).radius == 0.75);
+  CHECK(bench.state.document.prompt == PathPrompt::open);
+  update(bench.state, action::CancelPrompt{});
+  bench.frames(3);
+
+  // What edits text stays the field's.
+  bench.double_click(field("property.name"));
+  bench.type("Mars");
+  bench.forget();
+  for (const char* const key : {"Ctrl+Z", "Ctrl+Shift+Z", "Ctrl+Y", "Ctrl+Shift+Left", "Shift+K"}) bench.key(key);
+  CHECK(bench.actions.empty());
+  CHECK(ImGui::GetIO().WantTextInput);
+}
+
+TEST_CASE("a name that is being typed when the window is closed is asked about, and saved") {
+  const Folder folder;
+  Bench bench(selected({TargetKind::object, 0}));
+  update(bench.state, action::SaveAs{folder / "mine.toml"});
+  REQUIRE_FALSE(bench.state.document.dirty);
+  bench.frames(2);
+  bench.double_click(field("property.name"));
+  bench.type("Moon");
+  bench.interface().act_after_typing(action::Quit{});
+  bench.frames(3);
+  CHECK_FALSE(bench.state.document.quit);
+  REQUIRE(bench.state.document.question);
+  CHECK(bench.state.document.question->kind == Question::Kind::unsaved);
+  update(bench.state, action::AnswerQuestion{action::Answer::save});
+  CHECK(bench.state.document.quit);
+  CHECK_THAT(read_scene(folder / "mine.toml")->scene.objects[0].name, contains("Moon"));
+}
+
+TEST_CASE("where nothing is typed the window is closed at once") {
+  Bench bench;
+  bench.frames(2);
+  bench.interface().act_after_typing(action::Quit{});
+  bench.frames(1);
+  CHECK(bench.state.document.quit);
+}
+
 TEST_CASE("letters typed into a field are not commands") {
   Bench bench(selected({TargetKind::object, 0}));
   bench.frames(2);
