@@ -11,9 +11,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
+#include <cmath>
 #include <cstring>
-#include <optional>
+#include <limits>
 #include <type_traits>
 #include <vector>
 
@@ -24,25 +24,39 @@ namespace {
 /// A number as shown in a field, with a decimal point.
 std::string digits_of(double value) { return fmt::format("{:.5g}", value); }
 
-/// The number being typed into an item, or just typed; nothing if it is not a number. A point in it is then shown as
-/// the language's decimal separator.
-std::optional<double> number_being_typed(ImGuiID item, char mark) {
+/// What is typed into an item.
+std::string text_typed(ImGuiID item) {
+  const ImGuiInputTextState* const state = ImGui::GetInputTextState(item);
+  if (state == nullptr) return {};
+#if IMGUI_VERSION_NUM < 19120
+  std::string text;
+  // A number is written in ASCII.
+  for (int i = 0; i < state->CurLenW; ++i) text += state->TextW[i] < 0x80 ? static_cast<char>(state->TextW[i]) : '?';
+  return text;
+#else
+  return std::string(state->TextA.Data, static_cast<std::size_t>(state->TextLen));
+#endif
+}
+
+/// Shows the digits with which ImGui begins with the language's decimal separator.
+void show_mark(ImGuiID item, char mark) {
   ImGuiInputTextState* const state = ImGui::GetInputTextState(item);
-  if (state == nullptr) return std::nullopt;
-  std::string typed;
-  const auto take = [&](auto& letters, int count) {
-    for (int i = 0; i < count; ++i) {
+  if (state == nullptr || mark == '.') return;
+  const auto replace = [&](auto& letters, int count) {
+    for (int i = 0; i < count; ++i)
       if (letters[i] == '.') letters[i] = static_cast<std::decay_t<decltype(letters[i])>>(mark);
-      typed += static_cast<char>(letters[i]);
-    }
   };
 #if IMGUI_VERSION_NUM < 19120
-  take(state->TextW, state->CurLenW);
+  replace(state->TextW, state->CurLenW);
 #else
-  take(state->TextA, state->TextLen);
+  replace(state->TextA, state->TextLen);
 #endif
+}
+
+/// The number that a text means; not a number if it means none.
+double number_meant(std::string_view typed) {
   const std::vector<double> meant = typed_numbers(typed);
-  return meant.empty() ? std::nullopt : std::optional(meant.front());
+  return meant.empty() ? std::numeric_limits<double>::quiet_NaN() : meant.front();
 }
 
 /// Draws the number centred in the last item, like ImGui, with the language's decimal separator.
@@ -99,28 +113,24 @@ void Form::before_field(const std::string& field, float width) {
   if (reddened_) ImGui::PushStyleColor(ImGuiCol_Text, to_imgui4(ui_.colours.error));
 }
 
-void Form::before_number(const std::string& field) {
-  if (memory_.number != field) return;
-  for (ImWchar& letter : ImGui::GetIO().InputQueueCharacters)
-    if (letter == ',') letter = '.';
-}
-
-void Form::after_number(const std::string& field) {
-  if (ImGui::TempInputIsActive(ImGui::GetItemID()))
+void Form::after_number(const std::string& field, bool is_typed, double value) {
+  if (is_typed && memory_.number != field) {
     memory_.number = field;
-  else if (memory_.number == field)
+    memory_.before = value;
+  } else if (!is_typed && memory_.number == field) {
     memory_.number.clear();
+  }
 }
 
-void Form::after_field(const std::string& field, bool refused, double least, double most) {
+void Form::after_field(const std::string& field, std::string_view needs, double least, double most) {
   if (reddened_) ImGui::PopStyleColor();
   reddened_ = false;
-  // The next action, here or in another field, clears the message.
-  if (refused) {
+  // The next action, here or in another field, clears the message, and so does what is typed on.
+  if (!needs.empty()) {
     memory_.refused = field;
-    memory_.why = ui_.say("notice.refused_number", {{"least", number_text(least, ui_.state.appearance.language)},
-                                                    {"most", number_text(most, ui_.state.appearance.language)}});
-  } else if (ImGui::IsItemActivated()) {
+    memory_.why = ui_.say(needs, {{"least", number_text(least, ui_.state.appearance.language)},
+                                  {"most", number_text(most, ui_.state.appearance.language)}});
+  } else if (ImGui::IsItemActivated() || (memory_.number == field && memory_.refused == field)) {
     memory_.refused.clear();
   }
   refused_in_row_ |= memory_.refused == field;
@@ -152,34 +162,46 @@ bool Form::changed(bool now, const std::string& field) {
 
 bool Form::drag(const std::string& id, double& value, double step, double least, double most, float width) {
   before_field(id, width);
-  before_number(id);
-  double next = value;
-  // ImGui knows only the point. If the language has another separator, numbers are written and read here.
+  // ImGui begins the typing, but knows no other separator than the point, and takes "+1" and "*2" for sums.
+  const bool typed = memory_.number == id && ImGui::TempInputIsActive(ImGui::GetID(id.c_str()));
   const char mark = ui_.state.appearance.language.decimal_mark();
-  const bool own_mark = mark != '.', was_typed = memory_.number == id, hides = own_mark && !was_typed;
-  if (hides) ImGui::PushStyleColor(ImGuiCol_Text, ImVec4{0, 0, 0, 0});
-  bool now =
-      ImGui::DragScalar(id.c_str(), ImGuiDataType_Double, &next, static_cast<float>(step), &least, &most, "%.5g");
-  if (hides) ImGui::PopStyleColor();
+  double next = value;
+  bool refused = false;
+  if (typed) {
+    std::array<char, longest_typed + 1> text{};
+    ImGui::InputText(id.c_str(), text.data(), text.size());
+    next = number_meant(text.data());
+    // An unchanged number, also one that Escape brought back, is not rounded to its displayed digits.
+    if (next == number_meant(digits_of(memory_.before))) next = memory_.before;
+    // This form of the comparison also refuses NaN. Earlier digits took effect already, and are undone.
+    refused = next != memory_.before && !(next >= least && next <= most);
+    if (refused) next = memory_.before;
+  } else {
+    const bool hides = mark != '.';
+    if (hides) ImGui::PushStyleColor(ImGuiCol_Text, ImVec4{0, 0, 0, 0});
+    ImGui::DragScalar(id.c_str(), ImGuiDataType_Double, &next, static_cast<float>(step), &least, &most, "%.5g");
+    if (hides) ImGui::PopStyleColor();
+    refused = next != value && !(next >= least && next <= most);
+    if (refused) next = value;
+  }
   const ImGuiID item = ImGui::GetItemID();
-  if (own_mark && (was_typed || ImGui::TempInputIsActive(item))) {
+  const bool is_typed = ImGui::TempInputIsActive(item);
+  if (is_typed && !typed) {
+    next = value;
+    show_mark(item, mark);
     ui_.rest.wake_in(0);  // to show the mark
-    // An unchanged number is not rounded to its displayed digits.
-    const std::optional<double> read = number_being_typed(item, mark);
-    now = read && *read != value && *read != std::strtod(digits_of(value).c_str(), nullptr);
-    next = now ? *read : value;
-  } else if (hides) {
+  } else if (!typed && mark != '.') {
     write_number(ui_, next, reddened_);
   }
-  after_number(id);
-  if (ImGui::IsItemActivated()) memory_.before = value;
-  // Typing may exceed the limits; this form of the comparison also refuses NaN. Earlier digits took effect already, and
-  // are undone.
-  const bool good = next >= least && next <= most, back = now && !good && value != memory_.before;
-  if (now && good) value = next;
-  if (back) value = memory_.before;
-  const bool is_change = changed((now && good) || back, id);
-  after_field(id, now && !good, least, most);
+  // A double click selects the number; ImGui would select what stands on one side of a comma.
+  if (is_typed && ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0)) {
+    ImGuiInputTextState* const state = ImGui::GetInputTextState(item);
+    if (state != nullptr) state->SelectAll(), state->SelectedAllMouseLock = true;
+  }
+  after_number(id, is_typed, value);
+  const bool is_change = changed(next != value, id);
+  value = next;
+  after_field(id, refused ? "notice.refused_number" : "", least, most);
   return is_change;
 }
 
@@ -195,15 +217,28 @@ bool Form::whole(const KeyLabel& of, int& value, int least, int most, bool at_en
   row(of);
   const std::string id = "##" + name_;
   before_field(id, width_ - label_width_);
+  const bool typed = memory_.number == id;
+  if (typed)  // ImGui would drop the minus sign of typesetters
+    for (ImWchar& letter : ImGui::GetIO().InputQueueCharacters)
+      if (letter == 0x2212) letter = '-';
   int next = value;
   const bool now =
       ImGui::InputInt(id.c_str(), &next, 1, 100,
                       ImGuiInputTextFlags_AutoSelectAll | (at_enter ? ImGuiInputTextFlags_EnterReturnsTrue : 0));
-  const bool good = next >= least && next <= most;
   ui_.publish(name_);
-  if (now && good) value = next;
-  const bool is_change = changed(now && good, id);
-  after_field(id, now && !good, least, most);
+  ImGui::PushID(id.c_str());
+  const ImGuiID item = ImGui::GetID("");  // of the text between the buttons; asked for only now (see FormMemory)
+  ImGui::PopID();
+  const bool is_typed = ImGui::GetActiveID() == item;
+  double meant = next;
+  // ImGui would take "+1" for one more, and "1.5" for 1.
+  if (typed && (now || !at_enter)) meant = number_meant(text_typed(item));
+  const bool refused = meant != value && !(meant >= least && meant <= most && meant == std::floor(meant));
+  next = !refused ? static_cast<int>(meant) : typed && !at_enter ? static_cast<int>(memory_.before) : value;
+  after_number(id, is_typed, value);
+  const bool is_change = changed(next != value, id);
+  value = next;
+  after_field(id, refused ? "notice.refused_whole" : "", least, most);
   end_row();
   return is_change;
 }

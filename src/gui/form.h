@@ -4,6 +4,7 @@
 #include "view/text/key_label.h"
 
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -22,9 +23,9 @@ struct FormMemory {
   double before = 0;    ///< the number when the field was entered
 };
 
-/// Rows of a label and fields. Each field changes its value in place and returns whether it did; numbers are kept
-/// within the limits of the scene format: input beyond them is refused with a message below the field, and discarded
-/// when the field is left.
+/// Rows of a label and fields. Each field changes its value in place and returns whether it did; numbers are read as
+/// people type them (view/lesson/typed_number.h), in every language alike, and kept within the limits of the scene
+/// format: other input is refused with a message below the field, and discarded when the field is left.
 class Form {
  public:
   Form(const Ui& ui, FormMemory& memory, float width);
@@ -56,10 +57,10 @@ class Form {
   void row(const KeyLabel& label);
   /// A field from here to `after_field`.
   void before_field(const std::string& field, float width);
-  /// Around a field of a number: a comma typed into it is its decimal point.
-  void before_number(const std::string& field);
-  void after_number(const std::string& field);
-  void after_field(const std::string& field, bool refused, double least, double most);
+  /// After what draws a field of a number: whether it is typed into now.
+  void after_number(const std::string& field, bool is_typed, double value);
+  /// `needs`: the text that says what is expected of a number that was refused; empty: none was.
+  void after_field(const std::string& field, std::string_view needs, double least, double most);
   /// Shows below the row why input was refused, if it was.
   void end_row();
   bool drag(const std::string& id, double& value, double step, double least, double most, float width);

@@ -191,6 +191,8 @@ TEST_CASE("what a text wants filled in is what the sources give it") {
                                     "structure.test_farther",
                                     "structure.test_blocks",
                                     "structure.test_filters",
+                                    "notice.refused_number",
+                                    "notice.refused_whole",
                                     "question.overwrite",
                                     "question.overwrite_changed",
                                     "question.unsaved_new",

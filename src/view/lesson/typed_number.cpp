@@ -13,9 +13,6 @@ namespace raywalk {
 
 namespace {
 
-/// Bytes. Each quotient may double how many numbers are meant.
-constexpr std::size_t longest_typed = 64;
-
 bool is_figure(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
 /// Normalizes typographic characters: non-breaking spaces, the minus sign.

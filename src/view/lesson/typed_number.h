@@ -1,6 +1,7 @@
 #pragma once
 // Interprets numbers typed as answers to a lesson's questions.
 
+#include <cstddef>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -8,6 +9,9 @@
 namespace raywalk {
 
 struct LessonRoom;
+
+/// Bytes. Each quotient may double how many numbers are meant.
+inline constexpr std::size_t longest_typed = 64;
 
 /// Possible values of the text: with surrounding spaces, a comma or a point before the decimals, groups of three
 /// digits, a fraction, a power of ten, the question's unit. "1,234" has two values; other text none, nor one of
