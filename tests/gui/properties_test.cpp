@@ -178,6 +178,7 @@ TEST_CASE("Escape gives back a typed number with all its digits") {
   bench.hold(ImGuiKey_Escape, false);
   bench.frames(2);
   CHECK(sphere(bench).radius == 1.0 / 3);
+  CHECK(bench.state.document.undo.size() == 1);  // of the test's own
 }
 
 TEST_CASE("numbers outside the format's limits are not taken over") {

@@ -148,6 +148,45 @@ TEST_CASE("a slider that is dragged is one entry of undo, two edits are two") {
   CHECK(state.scene() == before);
 }
 
+TEST_CASE("an edit that leads back to where it began leaves undo and redo as they were") {
+  State state = busy_state();
+  const auto set_radius = [&](double radius, bool continues) {
+    update(state, action::SetShape{0, Sphere<double>{Vec3d(1, 1, 0), radius}, continues});
+  };
+  set_radius(0.6, false);
+  set_radius(0.7, false);
+  const Scene last = state.scene();
+  update(state, action::Undo{});
+  const Scene before = state.scene();
+  REQUIRE(state.document.undo.size() == 1);
+  REQUIRE(state.document.redo.size() == 1);
+  // Digits that take effect as they are typed, and Escape.
+  for (int i = 0; i < 2; ++i) {
+    set_radius(3, false);
+    set_radius(3.5, true);
+    CHECK(state.document.undo.size() == 2);
+    CHECK(state.document.redo.empty());
+    set_radius(0.6, true);
+    CHECK(state.scene() == before);
+    CHECK(state.document.undo.size() == 1);
+    CHECK(state.document.redo.size() == 1);
+  }
+  // What continues after that is an edit of its own.
+  set_radius(4, true);
+  CHECK(state.document.undo.size() == 2);
+  CHECK(state.document.redo.empty());
+  set_radius(0.6, true);
+  update(state, action::Redo{});
+  CHECK(state.scene() == last);
+  CHECK(state.document.undo.size() == 2);
+  update(state, action::Undo{});
+  // A second edit leads back, too, but is one that can be undone.
+  set_radius(3, false);
+  set_radius(0.6, false);
+  CHECK(state.document.undo.size() == 3);
+  CHECK(state.document.redo.empty());
+}
+
 TEST_CASE("an edit that would break the scene is refused and says why") {
   const auto refused = [](const std::string& what, const auto& make) {
     INFO(what);

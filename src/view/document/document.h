@@ -28,7 +28,8 @@ inline void complain(State& state, std::string text) {
 
 /// Replaces the scene by `next` without an undo entry; records again, and drops references to what no longer exists.
 void replace_scene(State& state, Scene next);
-/// The same with one undo entry; none if nothing changed.
+/// The same with one undo entry; none if nothing changed. Where what `continues` an edit leads back to where that
+/// began, both leave no trace: what could be redone then can be again.
 void commit(State& state, Scene next, EditMark mark = {}, bool continues = false);
 /// Adds an undo entry that restores `before`.
 void remember(State& state, Undone before);

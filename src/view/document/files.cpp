@@ -159,6 +159,7 @@ void show_document(State& state, SceneDocument document, std::string path) {
   state.document.dirty = false;
   state.document.undo.clear();
   state.document.redo.clear();
+  state.document.replaced_redo.clear();
   state.document.last_edit.reset();
   state.walk.bug.reset();
   state.plan.drag.reset();

@@ -99,6 +99,7 @@ void step_history(State& state, Stack& from, Stack& to, std::string_view when_em
   const std::shared_ptr<const Undone> next = from.back();
   from.pop_back();
   state.document.last_edit.reset();
+  state.document.replaced_redo.clear();
   if (const Scene* const scene = std::get_if<Scene>(next.get())) {
     to.push_back(std::make_shared<const Undone>(state.scene()));
     const Target selected = found_again(state.plan.selected, state.scene(), *scene);
@@ -124,17 +125,24 @@ void replace_scene(State& state, Scene next) {
 
 void remember(State& state, Undone before) {
   state.document.undo.push_back(std::make_shared<const Undone>(std::move(before)));
-  state.document.redo.clear();
+  state.document.replaced_redo = std::exchange(state.document.redo, {});
   trim(state);
 }
 
 void commit(State& state, Scene next, EditMark mark, bool continues) {
   if (next == state.scene()) return;
-  const bool joins =
-      continues && !state.document.undo.empty() && state.document.last_edit && *state.document.last_edit == mark;
-  if (!joins) remember(state, state.scene());
-  state.document.last_edit = mark;
-  state.document.notice.reset();
+  DocumentRoom& document = state.document;
+  const bool joins = continues && !document.undo.empty() && document.last_edit && *document.last_edit == mark;
+  const Scene* const begun_with = joins ? std::get_if<Scene>(document.undo.back().get()) : nullptr;
+  if (begun_with != nullptr && next == *begun_with) {
+    document.undo.pop_back();
+    document.redo = std::exchange(document.replaced_redo, {});
+    document.last_edit.reset();
+  } else {
+    if (!joins) remember(state, state.scene());
+    document.last_edit = mark;
+  }
+  document.notice.reset();
   replace_scene(state, std::move(next));
 }
 

@@ -299,6 +299,7 @@ struct DocumentRoom {
       worlds;   ///< of contents.scene; replaced with each change of it, so that copies may share it
   Stop stop{};  ///< cancels a long update: it throws Stopped, and the state is then invalid
   std::optional<EditMark> last_edit;
+  decltype(redo) replaced_redo;     ///< what could be redone before last_edit, which others may join and take back
   std::vector<std::string> recent;  ///< paths, most recent first
   std::vector<std::string> keeps;   ///< files of the command line that must not be replaced, such as a demo
   /// Folder for the autosave and the list of recent files; empty: neither is kept.
