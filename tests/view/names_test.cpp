@@ -73,6 +73,32 @@ int count_of(const std::string& words, const std::string& what) {
 
 }  // namespace
 
+TEST_CASE("no two things are called the same in the window, in any language") {
+  for (const Language language : all_languages()) {
+    INFO(language.code());
+    State state = busy_state();
+    state.appearance.language = language;
+    update(state, action::AddObject{action::ObjectKind::solid_sphere});
+    const Target added = state.plan.selected;
+    const std::string shown = object_name(state, added.index);
+    const std::string before = state.scene().objects[0].name;
+    update(state, action::Rename{{TargetKind::object, 0}, shown});
+    CHECK(state.scene().objects[0].name == before);
+    REQUIRE(state.document.notice);
+    CHECK(state.document.notice->text == fill("notice.refused_name_taken", language, {{"name", shown}}));
+    update(state, action::Rename{{TargetKind::light, 0}, shown});
+    CHECK(light_name(state, 0) != shown);
+    // A new thing is not called as another has been meanwhile.
+    update(state, action::Rename{{TargetKind::object, 0}, shown + " 2"});
+    CHECK(object_name(state, 0) == shown + " 2");
+    update(state, action::AddObject{action::ObjectKind::solid_sphere});
+    CHECK(object_name(state, state.plan.selected.index) == shown + " 3");
+    // Its own name is no other's: a person may call it so in every language.
+    update(state, action::Rename{added, shown});
+    CHECK(state.scene().objects[static_cast<std::size_t>(added.index)].name == shown);
+  }
+}
+
 TEST_CASE(
     "every line and heading of the pseudocode has its words in every language, and in English those of the code") {
   for (const PseudocodeLine& line : all_lines()) {

@@ -86,6 +86,9 @@ void add_recent(State& state, const std::string& path);
 // new_scene.cpp
 
 [[nodiscard]] Scene new_scene(Language language);
-[[nodiscard]] std::string unique_name(const Scene& scene, const std::string& wanted);
+/// Whether something in the scene has this name, or is called in this language what the new thing will be.
+[[nodiscard]] bool is_taken(const Scene& scene, std::string_view name, std::string_view shown, Language language);
+/// The name for something new, with a number behind it where that is taken; it will be one of the `translated`.
+[[nodiscard]] std::string unique_name(const Scene& scene, const std::string& wanted, Language language);
 
 }  // namespace raywalk

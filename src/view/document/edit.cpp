@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace raywalk {
 
@@ -123,8 +124,8 @@ void action::AddObject::apply(State& state) const {
   const Vec2d place = to_grid(free_place(state, kind == ObjectKind::light ? size / 2 : size), grid);
 
   Scene next = state.scene();
-  const std::string name =
-      unique_name(next, std::string(text(name_of(kind), state.appearance.language.others().english())));
+  const Language language = state.appearance.language;
+  const std::string name = unique_name(next, std::string(text(name_of(kind), language.others().english())), language);
   next.translated.push_back(name);
   Target added;
   if (kind == ObjectKind::light) {
@@ -205,9 +206,10 @@ void action::Rename::apply(State& state) const {
   std::string& current = is_object ? next.objects[index].name : next.lights[index].name;
   if (name == current) return;
   if (name.empty()) return complain(state, std::string(text("notice.refused_name_empty", state.appearance.language)));
-  if (unique_name(next, name) != name)
+  const std::string before = std::exchange(current, {});  // its own name is no other's
+  if (is_taken(next, name, name, state.appearance.language))
     return complain(state, fill("notice.refused_name_taken", state.appearance.language, {{"name", name}}));
-  std::erase(next.translated, current);  // what a person calls a thing is called so in every language
+  std::erase(next.translated, before);  // what a person calls a thing is called so in every language
   std::erase(next.translated, name);
   current = name;
   commit_if_valid(state, std::move(next), is_object ? target.index : -1, is_object ? -1 : target.index);

@@ -1,3 +1,4 @@
+#include "scene/names.h"
 #include "view/document/document.h"
 #include "view/text/text.h"
 
@@ -5,10 +6,17 @@
 
 namespace raywalk {
 
-std::string unique_name(const Scene& scene, const std::string& wanted) {
+bool is_taken(const Scene& scene, std::string_view name, std::string_view shown, Language language) {
+  const auto has_it = [&](const auto& thing) {
+    return thing.name == name || shown_name(scene, thing.name, language) == shown;
+  };
+  return std::any_of(scene.objects.begin(), scene.objects.end(), has_it) ||
+         std::any_of(scene.lights.begin(), scene.lights.end(), has_it);
+}
+
+std::string unique_name(const Scene& scene, const std::string& wanted, Language language) {
   const auto taken = [&](const std::string& name) {
-    return std::any_of(scene.objects.begin(), scene.objects.end(), [&](const Object& o) { return o.name == name; }) ||
-           std::any_of(scene.lights.begin(), scene.lights.end(), [&](const Light& l) { return l.name == name; });
+    return is_taken(scene, name, shown_name(std::vector<std::string>{name}, name, language), language);
   };
   std::string name = wanted;
   for (int number = 2; taken(name); ++number) name = wanted + " " + std::to_string(number);
