@@ -260,15 +260,17 @@ void LessonPane::number(const Ui& ui, const LessonPanel& panel, bool is_new, boo
     ui.act(
         action::GuessNumber{typed_guess(ui.state.lessons, number_).value_or(std::numeric_limits<double>::quiet_NaN())});
   }
-  if (entered && panel.can_reveal) ui.act(action::RevealLesson{});
+  // Who typed something wants it judged, also where the answer may be shown without.
+  const bool is_unread = !number_.empty() && !typed_guess(ui.state.lessons, number_);
+  const bool reveals = panel.can_reveal && !is_unread;
+  if (entered && reveals) ui.act(action::RevealLesson{});
   // Keys typed next still go to this field, not to the walk.
-  if (entered && !panel.can_reveal) ImGui::SetKeyboardFocusHere(-1);
+  if (entered && !reveals) ImGui::SetKeyboardFocusHere(-1);
   if (!panel.unit.empty()) {
     ImGui::SameLine();
     label(ui.colours.text, panel.unit);
   }
-  if (!number_.empty() && !typed_guess(ui.state.lessons, number_) && !revealed)
-    paragraph(ui.colours.error, ui.say("lesson.not_a_number"));
+  if (is_unread && !revealed) paragraph(ui.colours.error, ui.say("lesson.not_a_number"));
 }
 
 std::optional<float> LessonPane::question(const Ui& ui, const LessonPanel& panel, bool is_new, bool is_low) {

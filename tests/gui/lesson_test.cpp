@@ -156,6 +156,31 @@ TEST_CASE("a number that nobody typed has no field once the answer is shown") {
   CHECK(bench.has("lesson-number"));
 }
 
+TEST_CASE("a prediction that is no number is said to be none, and shows no answer, also where all is unlocked") {
+  const auto is_revealed_by = [](const std::string& typed) {
+    Bench bench(with_lessons());
+    bench.resize(1280, 720);
+    update(bench.state, action::ShowLessons{true});
+    update(bench.state, action::SetLessonOptions{false, true});
+    update(bench.state, action::OpenLesson{"18-rays-with-width"});
+    update(bench.state, action::GoToLessonStep{1});
+    bench.frames(2);
+    bench.type(typed);
+    bench.enter();
+    bench.frames(2);
+    // It can be mended at once.
+    CHECK(ImGui::GetIO().WantTextInput != bench.state.lessons.revealed);
+    return bench.state.lessons.revealed;
+  };
+  for (const char* const unread : {"37 $", "1.2.3", "2e"}) {
+    CAPTURE(unread);
+    CHECK_FALSE(is_revealed_by(unread));
+  }
+  CHECK(is_revealed_by("0.5"));
+  // Where nothing is predicted it is shown on request.
+  CHECK(is_revealed_by(""));
+}
+
 TEST_CASE("a lesson's field holds what was guessed, and nothing once that is forgotten") {
   Bench bench(with_lessons());
   bench.resize(1280, 720);
