@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <type_traits>
 #include <vector>
@@ -57,6 +56,13 @@ void show_mark(ImGuiID item, char mark) {
 double number_meant(std::string_view typed) {
   const std::vector<double> meant = typed_numbers(typed);
   return meant.empty() ? std::numeric_limits<double>::quiet_NaN() : meant.front();
+}
+
+/// Whether ImGui's fields keep every character: some make a replacement character of those beyond U+FFFF, which are
+/// four bytes of UTF-8.
+bool keeps_letters_of(std::string_view text) {
+  constexpr bool all = sizeof(ImWchar) > 2 || IMGUI_VERSION_NUM >= 19120;
+  return all || std::none_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) >= 0xF0; });
 }
 
 /// Draws the number centred in the last item, like ImGui, with the language's decimal separator.
@@ -353,11 +359,15 @@ bool Form::text(const KeyLabel& of, std::string& value) {
   const std::string id = "##" + name_;
   before_field(id, width_ - label_width_);
   const bool naming = memory_.naming == id;
-  std::array<char, 256> buffer{};
   const std::string& shown = naming ? memory_.typed : value;
-  std::strncpy(buffer.data(), shown.c_str(), buffer.size() - 1);
-  ImGui::InputText(id.c_str(), buffer.data(), buffer.size());
+  // Room for more than stands there already, which is never cut.
+  constexpr std::size_t more = 256;  // bytes
+  std::vector<char> buffer(shown.size() + more);
+  shown.copy(buffer.data(), shown.size());
+  const bool is_kept = keeps_letters_of(value);
+  ImGui::InputText(id.c_str(), buffer.data(), buffer.size(), is_kept ? 0 : ImGuiInputTextFlags_ReadOnly);
   ui_.publish(name_);
+  if (!is_kept) tooltip(ui_, name_, ui_.say("property.letters_hint"));
   if (ImGui::IsItemActive()) {
     memory_.naming = id;
     memory_.typed = buffer.data();

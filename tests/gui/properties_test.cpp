@@ -417,6 +417,28 @@ TEST_CASE("an object is renamed when the typing has ended, not letter by letter"
   CHECK(bench.state.document.undo.size() == 1);
 }
 
+TEST_CASE("a name keeps its characters when it is edited, however long it is and whatever they are") {
+  std::string accents = "x";
+  for (int i = 0; i < 200; ++i) accents += "\u00e9";
+  for (const std::string& name : {accents, std::string("Luna \U0001F319")}) {
+    CAPTURE(name);
+    Bench bench(selected({TargetKind::object, 0}));
+    update(bench.state, action::Rename{{TargetKind::object, 0}, name});
+    REQUIRE(bench.state.scene().objects[0].name == name);
+    bench.frames(2);
+    bench.double_click(field("property.name"));
+    bench.hold(ImGuiKey_End, true);
+    bench.frames(1);
+    bench.hold(ImGuiKey_End, false);
+    bench.type("!");
+    bench.enter();
+    const std::string now = bench.state.scene().objects[0].name;
+    // A field that cannot hold them takes no edit.
+    CHECK((now == name + "!" || (name != accents && now == name)));
+    if (name == accents) CHECK(now == name + "!");
+  }
+}
+
 TEST_CASE("commands that no field has a use for take over what was typed, and then act") {
   Bench bench(selected({TargetKind::object, 0}));
   bench.frames(2);
