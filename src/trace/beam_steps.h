@@ -74,11 +74,7 @@ auto BeamTracer<Watcher>::cut(Line line, int depth, const Beam& beam) -> std::ve
       BeamPiece piece{part.number,  part.object,         part.begin.value(), part.end.value(),
                       part.width(), area_of(beam, part), part.ray.origin,    part.ray.origin + part.ray.direction,
                       Vec3d(0.0)};
-      if (part.at) {
-        piece.point = part.at->position;
-        piece.normal = part.at->outward_normal;
-        piece.shaded = hit_normals(part.at->bsdf.shading_normal, part.at->bsdf.geometric_normal);
-      }
+      if (part.at) detail::tell_of(piece, *part.at);
       cut.pieces.push_back(std::move(piece));
     }
     return cut;

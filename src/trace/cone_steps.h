@@ -119,11 +119,7 @@ auto ConeTracer<T, Watcher, with_maps>::find_cover(Line line, int depth, const C
                       part.share,  area_of(cone.shape, part),
                       origin,      origin + Vec3d(part.ray.direction),
                       Vec3d(0.0)};
-      if (part.at) {
-        piece.point = Vec3d(part.at->position);
-        piece.normal = Vec3d(part.at->outward_normal);
-        piece.shaded = hit_normals(part.at->bsdf.shading_normal, part.at->bsdf.geometric_normal);
-      }
+      if (part.at) detail::tell_of(piece, *part.at);
       cut.pieces.push_back(std::move(piece));
     }
     return cut;

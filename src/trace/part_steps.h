@@ -40,6 +40,14 @@ struct MiddleOfPart {
   Rgb<T> throughput{1};
 };
 
+/// Tells an observer where in its middle a part is shaded, and with which normals.
+template <class Vertex>
+void tell_of(BeamPiece& piece, const Vertex& at) {
+  piece.point = Vec3d(at.position);
+  piece.normal = Vec3d(at.outward_normal);
+  piece.shaded = hit_normals(at.bsdf.shading_normal, at.bsdf.geometric_normal);
+}
+
 /// The pattern of a part, which may be the mean of a checker's squares.
 template <class T>
 struct PatternOfPart {

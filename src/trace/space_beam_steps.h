@@ -106,11 +106,7 @@ auto SpaceBeamTracer<T, Watcher>::cut(Line line, int depth, const Beam& beam) ->
                       coverage,    drawn_area(beam, part),
                       origin,      origin + Vec3d(part.ray.direction),
                       Vec3d(0.0)};
-      if (part.at) {
-        piece.point = Vec3d(part.at->position);
-        piece.normal = Vec3d(part.at->outward_normal);
-        piece.shaded = hit_normals(part.at->bsdf.shading_normal, part.at->bsdf.geometric_normal);
-      }
+      if (part.at) detail::tell_of(piece, *part.at);
       cut.pieces.push_back(std::move(piece));
     }
     return cut;

@@ -33,6 +33,16 @@ State with_lessons() {
   return state;
 }
 
+/// Opens a lesson where it asks for a number, with all unlocked.
+void ask_for_a_number(Bench& bench) {
+  bench.resize(1280, 720);
+  update(bench.state, action::ShowLessons{true});
+  update(bench.state, action::SetLessonOptions{false, true});
+  update(bench.state, action::OpenLesson{"18-rays-with-width"});
+  update(bench.state, action::GoToLessonStep{1});
+  bench.frames(2);
+}
+
 }  // namespace
 
 TEST_CASE("a lesson by keys: list, choice by digit, Enter reveals and goes on") {
@@ -138,12 +148,7 @@ TEST_CASE("after the last step of a lesson the list shows the next one") {
 
 TEST_CASE("a number that nobody typed has no field once the answer is shown") {
   Bench bench(with_lessons());
-  bench.resize(1280, 720);
-  update(bench.state, action::ShowLessons{true});
-  update(bench.state, action::SetLessonOptions{false, true});
-  update(bench.state, action::OpenLesson{"18-rays-with-width"});
-  update(bench.state, action::GoToLessonStep{1});
-  bench.frames(2);
+  ask_for_a_number(bench);
   REQUIRE(bench.has("lesson-number"));
   update(bench.state, action::RevealLesson{});
   bench.frames(2);
@@ -159,12 +164,7 @@ TEST_CASE("a number that nobody typed has no field once the answer is shown") {
 TEST_CASE("a prediction that is no number is said to be none, and shows no answer, also where all is unlocked") {
   const auto is_revealed_by = [](const std::string& typed) {
     Bench bench(with_lessons());
-    bench.resize(1280, 720);
-    update(bench.state, action::ShowLessons{true});
-    update(bench.state, action::SetLessonOptions{false, true});
-    update(bench.state, action::OpenLesson{"18-rays-with-width"});
-    update(bench.state, action::GoToLessonStep{1});
-    bench.frames(2);
+    ask_for_a_number(bench);
     bench.type(typed);
     bench.enter();
     bench.frames(2);
