@@ -22,7 +22,7 @@ write_keys() {
     echo 'What `raywalk info --keys` prints; `raywalk info --keys sphere` prints those of one table or type. Every number is'
     echo 'finite and at most 1e15. A misspelt key is refused, with its line and the key that was most likely meant.'
     echo 'An object with a transform is measured before it, with its checkers and images: doubled in size, it has squares of twice'
-    echo 'their size. Images on the faces of a box that look along -x, +y and -z, and on lower caps, are laid from right to left.'
+    echo 'their size.'
     echo
     echo '```text'
     "$raywalk" info --keys

@@ -120,12 +120,16 @@ template <class T>
   return point;
 }
 
-/// The two axes of the face, from the box's low corner.
+/// Whether the first of a face's two axes runs to the right for who looks at it from outside, with the second one up.
+[[nodiscard]] constexpr bool runs_to_the_right(int part) { return part == 1 || part == 2 || part == 5; }
+
+/// The two axes of the face, from the corner that is at the lower left seen from outside: what is drawn on it is read
+/// from left to right on each face.
 template <class T>
 [[nodiscard]] Vec2<T> uv_at(const Box<T>& box, const SurfacePoint<T>& point, int part) {
-  const Vec3<T> from_corner = point.position - box.min;
-  const int axis = part / 2;
-  return {from_corner[axis == 0 ? 1 : 0], from_corner[axis == 2 ? 1 : 2]};
+  const int across = part / 2 == 0 ? 1 : 0, up = part / 2 == 2 ? 1 : 2;
+  return {runs_to_the_right(part) ? point.position[across] - box.min[across] : box.max[across] - point.position[across],
+          point.position[up] - box.min[up]};
 }
 
 template <class T>
@@ -137,8 +141,8 @@ template <class T>
 template <class T>
 [[nodiscard]] Vec2<T> uv_derivative(const Box<T>& /*box*/, const SurfacePoint<T>& /*point*/, int part,
                                     const Vec3<T>& along) {
-  const int axis = part / 2;
-  return {along[axis == 0 ? 1 : 0], along[axis == 2 ? 1 : 2]};
+  const T across = along[part / 2 == 0 ? 1 : 0];
+  return {runs_to_the_right(part) ? across : -across, along[part / 2 == 2 ? 1 : 2]};
 }
 
 template <class T>

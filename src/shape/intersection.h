@@ -37,6 +37,13 @@ struct SurfacePoint {
   Vec3<T> normal;
 };
 
+/// The coordinates of a place or a step on a level cap: x and y; on one that is seen from below -x, so that what is
+/// drawn there is read from left to right, too.
+template <class T>
+[[nodiscard]] Vec2<T> on_cap(bool high, const Vec3<T>& of) {
+  return {high ? of.x : -of.x, of.y};
+}
+
 /// Two orthonormal directions in a plane, the same for a normal and its opposite.
 template <class T>
 struct PlaneAxes {

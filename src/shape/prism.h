@@ -31,6 +31,7 @@ struct Prism {
 
   /// Twice the area, positive when the corners turn counter-clockwise.
   [[nodiscard]] T twice_signed_area() const;
+  [[nodiscard]] bool is_clockwise() const { return twice_signed_area() < 0; }
 };
 
 /// The nearest t in (0, t_max) at which the ray crosses the prism's surface.
@@ -50,11 +51,13 @@ template <class T, class Explain = NoExplanation>
 template <class T>
 [[nodiscard]] SurfacePoint<T> surface_at(const Prism<T>& prism, const Ray<T>& ray, const Intersection<T>& intersection);
 
-/// Sides: u runs along the edge from its first corner, v up. Caps: x and y.
+/// Sides: u runs along the edge, from its left end seen from outside, v up. Caps: x and y; the lower one -x, for it is
+/// seen from below.
 template <class T>
 [[nodiscard]] Vec2<T> uv_at(const Prism<T>& prism, const SurfacePoint<T>& point, int part) {
-  if (part >= prism.sides()) return plan(point.position);
-  return {length(plan(point.position) - prism.corner(part)), point.position.z};
+  if (part >= prism.sides()) return on_cap(part == prism.top(), point.position);
+  const Vec2<T>& left = prism.is_clockwise() ? prism.corner_after(part) : prism.corner(part);
+  return {length(plan(point.position) - left), point.position.z};
 }
 
 template <class T>
@@ -66,8 +69,9 @@ template <class T>
 template <class T>
 [[nodiscard]] Vec2<T> uv_derivative(const Prism<T>& prism, const SurfacePoint<T>& /*point*/, int part,
                                     const Vec3<T>& along) {
-  if (part >= prism.sides()) return plan(along);
-  return {dot(plan(along), prism.edge(part)) / length(prism.edge(part)), along.z};
+  if (part >= prism.sides()) return on_cap(part == prism.top(), along);
+  const T forward = dot(plan(along), prism.edge(part)) / length(prism.edge(part));
+  return {prism.is_clockwise() ? -forward : forward, along.z};
 }
 
 template <class T>
@@ -346,7 +350,7 @@ SurfacePoint<T> surface_at(const Prism<T>& prism, const Ray<T>& ray, const Inter
   const Vec2<T> first = prism.corner(intersection.part), edge = prism.edge(intersection.part);
   const T size = length(edge);
   const Vec2<T> along = edge / size;
-  const T turn = prism.twice_signed_area() < 0 ? T(-1) : T(1);
+  const T turn = prism.is_clockwise() ? T(-1) : T(1);
   const Vec2<T> offset = (plan(ray.origin) - first) + intersection.t * plan(ray.direction);
   const Vec2<T> onto = first + std::clamp(dot(offset, along), T(0), size) * along;
   return {{onto, std::clamp(reached.z, -half, half)}, {turn * along.y, turn * -along.x, 0}};
@@ -359,7 +363,7 @@ template <class T>
 
 template <class Cutter>
 void cut(Cutter& to, const Prism<double>& prism) {
-  const bool clockwise = prism.twice_signed_area() < 0;
+  const bool clockwise = prism.is_clockwise();
   const double low = -prism.height / 2, high = prism.height / 2;
   std::vector<Vec3d> top, bottom;
   for (int i = 0; i < prism.sides(); ++i) {

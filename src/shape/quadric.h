@@ -63,10 +63,10 @@ template <class T, QuadricKind Kind>
 [[nodiscard]] SurfacePoint<T> surface_at(const Quadric<T, Kind>& quadric, const Ray<T>& ray,
                                          const Intersection<T>& intersection);
 
-/// The wall: the angle from +x times rx, and z. Caps: x and y.
+/// The wall: the angle from +x times rx, and z. Caps: x and y; the lower one -x, for it is seen from below.
 template <class T, QuadricKind Kind>
 [[nodiscard]] Vec2<T> uv_at(const Quadric<T, Kind>& quadric, const SurfacePoint<T>& point, int part) {
-  if (part != Quadric<T, Kind>::wall) return plan(point.position);
+  if (part != Quadric<T, Kind>::wall) return on_cap(part == Quadric<T, Kind>::high_cap, point.position);
   const T angle = portable::atan2(point.position.y / quadric.radii.y, point.position.x / quadric.radii.x);
   return {quadric.radii.x * angle, point.position.z};
 }
@@ -78,7 +78,7 @@ template <class T, QuadricKind Kind>
 template <class T, QuadricKind Kind>
 [[nodiscard]] Vec2<T> uv_derivative(const Quadric<T, Kind>& quadric, const SurfacePoint<T>& point, int part,
                                     const Vec3<T>& along) {
-  if (part != Quadric<T, Kind>::wall) return plan(along);
+  if (part != Quadric<T, Kind>::wall) return on_cap(part == Quadric<T, Kind>::high_cap, along);
   const T x = point.position.x / quadric.radii.x, y = point.position.y / quadric.radii.y;
   const T turned = (x * along.y / quadric.radii.y - y * along.x / quadric.radii.x) / (x * x + y * y);
   return {quadric.radii.x * turned, along.z};

@@ -187,7 +187,7 @@ Loop cut_by_plane(Cutter& /*to*/, const Box<double>& box) {
 }
 Loop cut_by_plane(Cutter& /*to*/, const Prism<double>& prism) {
   Loop loop = prism.corners;
-  if (prism.twice_signed_area() < 0) std::reverse(loop.begin(), loop.end());
+  if (prism.is_clockwise()) std::reverse(loop.begin(), loop.end());
   return loop;
 }
 Loop cut_by_plane(Cutter& to, const Sphere<double>& sphere) {

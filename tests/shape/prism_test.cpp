@@ -207,7 +207,7 @@ TEST_CASE("coordinates of a prism's faces are lengths") {
   CHECK(uv({0, 3, -0.5}, 1) == Vec2d(5, -0.5));
   CHECK(uv({0, 3, 0}, 2) == Vec2d(0, 0));
   CHECK(uv({0.5, 0.25, 1}, prism.top()) == Vec2d(0.5, 0.25));
-  CHECK(uv({0.5, 0.25, -1}, prism.bottom()) == Vec2d(0.5, 0.25));
+  CHECK(uv({0.5, 0.25, -1}, prism.bottom()) == Vec2d(-0.5, 0.25));
 }
 
 TEST_CASE("the area of a polygon is signed by its winding") {

@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -107,7 +108,8 @@ double height_of_its_radii(QuadricKind kind, double rz) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("the coordinates of each face of a box run along its axes from the low corner", "", float, double) {
+TEMPLATE_TEST_CASE("the coordinates of each face of a box run along its axes from its lower left corner", "", float,
+                   double) {
   using T = TestType;
   const Box<T> box{Vec3<T>(-1, 2, 3), Vec3<T>(3, 7, 12)};  // 4 by 5 by 9
   struct Look {
@@ -115,13 +117,13 @@ TEMPLATE_TEST_CASE("the coordinates of each face of a box run along its axes fro
     int part;
     double u, v;
   };
-  // All through (1, 3, 8), which is (2, 1, 5) from the low corner.
-  const std::array<Look, 6> looks{{{{-9, 3, 8}, {1, 0, 0}, 0, 1, 5},
+  // All through (0, 3, 8), which is (1, 1, 5) from the low corner and (3, 4, 4) from the high one.
+  const std::array<Look, 6> looks{{{{-9, 3, 8}, {1, 0, 0}, 0, 4, 5},
                                    {{9, 3, 8}, {-1, 0, 0}, 1, 1, 5},
-                                   {{1, -9, 8}, {0, 1, 0}, 2, 2, 5},
-                                   {{1, 19, 8}, {0, -1, 0}, 3, 2, 5},
-                                   {{1, 3, -9}, {0, 0, 1}, 4, 2, 1},
-                                   {{1, 3, 19}, {0, 0, -1}, 5, 2, 1}}};
+                                   {{0, -9, 8}, {0, 1, 0}, 2, 1, 5},
+                                   {{0, 19, 8}, {0, -1, 0}, 3, 3, 5},
+                                   {{0, 3, -9}, {0, 0, 1}, 4, 3, 1},
+                                   {{0, 3, 19}, {0, 0, -1}, 5, 1, 1}}};
   for (const Look& look : looks) {
     CAPTURE(look.part);
     const Met<T> met = meet_head_on<T>(box, look.from, look.along);
@@ -237,7 +239,7 @@ TEST_CASE("where a round wall is as wide as its radii, u is the length walked ar
   });
 }
 
-TEMPLATE_TEST_CASE("the coordinates of a quadric's caps are x and y", "", float, double) {
+TEMPLATE_TEST_CASE("the coordinates of a quadric's caps are x and y, and -x of the lower one", "", float, double) {
   using T = TestType;
   for_each_kind([](auto kind) {
     CAPTURE(static_cast<int>(kind.value));
@@ -247,7 +249,7 @@ TEMPLATE_TEST_CASE("the coordinates of a quadric's caps are x and y", "", float,
     for (const Vec2d& xy : {Vec2d(0.5, 0.125), Vec2d(-0.25, 0.25), Vec2d(0.75, -0.125), Vec2d(-1, -0.0625)}) {
       const Met<T> bottom = meet_head_on<T>(quadric, {xy.x, xy.y, -4}, {0, 0, 1});
       CHECK(bottom.part == 1);
-      CHECK(bottom.uv == Vec2<T>(xy));
+      CHECK(bottom.uv == Vec2<T>(Vec2d(-xy.x, xy.y)));
       const Met<T> top = meet_head_on<T>(quadric, {xy.x, xy.y, 4}, {0, 0, -1});
       CHECK(top.part == 2);
       CHECK(top.uv == Vec2<T>(xy));
@@ -324,6 +326,42 @@ TEMPLATE_TEST_CASE("a place keeps its coordinates under a map", "", float, doubl
       const SurfacePoint<T> point = surface_at(sight.shape, *place, ray, *intersection);
       expect(uv_at(sight.shape, *place, point, intersection->part), sight.u, sight.v);
     }
+  }
+}
+
+TEST_CASE("what is drawn on a solid is read from left to right on each of its faces") {
+  std::vector<std::pair<std::string, Shape<double>>> solids{
+      {"sphere", Sphere<double>{{0, 0, 0}, 2}},
+      {"box", Box<double>{{-1, -2, -1.5}, {3, 1, 2}}},
+      {"prism", Prism<double>{{{-1, -2}, {5, -2}, {1, 1}, {0, 4}}, 2}},
+      {"prism of clockwise corners", Prism<double>{{{0, 4}, {1, 1}, {5, -2}, {-1, -2}}, 2}}};
+  for_each_kind([&](auto kind) {
+    const double rz = kind.value == QuadricKind::hyperboloid_two_sheets ? 0.5 : 2;
+    const double low = kind.value == QuadricKind::elliptic_paraboloid ? 0.25 : -1;
+    solids.emplace_back("quadric " + std::to_string(static_cast<int>(kind.value)),
+                        Quadric<double, kind.value>{Vec3d(3, 2, rz), low, 1, true});
+  });
+  for (const auto& [name, solid] : solids) {
+    std::set<int> parts;
+    for (int i = 0; i < 2000; ++i) {
+      // From all sides, the low ones first, towards places near the middle.
+      const double height = (i + 0.5) / 1000 - 1, round = std::sqrt(1 - height * height), turn = 2.4 * i;
+      const Vec3d out(round * std::cos(turn), round * std::sin(turn), height);
+      const Vec3d towards(0.3 * std::cos(1.7 * i), 0.3 * std::sin(1.3 * i), 0.3 * std::cos(0.9 * i));
+      const Ray<double> ray{towards + 20.0 * out, -out};
+      const auto met = intersect(solid, ray, infinity<double>);
+      if (!met) continue;
+      const SurfacePoint<double> point = surface_at(solid, ray, *met);
+      const PlaneAxes<double> axes = plane_axes(point.normal);
+      const Vec2d along_u = uv_derivative(solid, point, met->part, axes.u);
+      const Vec2d along_v = uv_derivative(solid, point, met->part, axes.v);
+      const double turned = dot(cross(axes.u, axes.v), point.normal);  // 1 or -1
+      CAPTURE(name, met->part, i);
+      CHECK(turned * (along_u.x * along_v.y - along_u.y * along_v.x) > 0);
+      parts.insert(met->part);
+    }
+    CAPTURE(name);
+    CHECK(parts.size() == (name == "sphere" ? 1 : name == "box" || name[0] == 'p' ? 6 : 3));
   }
 }
 
