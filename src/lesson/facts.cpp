@@ -26,9 +26,14 @@ double bodies_of(const std::vector<Object>& objects) {
   return bodies;
 }
 
+/// Outward; where a surface is shaded, the one that it is shaded with.
+Vec3d normal_met(const RayRecord& ray) {
+  return ray.ending == Ending::hit ? ray.outward_shading_normal() : ray.normal;
+}
+
 /// The angle of incidence, in degrees.
 double incidence(const RayRecord& ray) {
-  const double cosine = std::abs(dot(normalize(ray.direction), ray.normal));
+  const double cosine = std::abs(dot(normalize(ray.direction), normal_met(ray)));
   return std::acos(std::min(cosine, 1.0)) * 180 / std::numbers::pi;
 }
 
@@ -73,7 +78,7 @@ Outcome Facts::of_ray(std::string_view name, int index) const {
   const bool has_light = index >= 0 && ray.light >= 0 && !ray.endless;
   const Vec3d end = found ? ray.end : ray.origin + ray.direction;
   if (name == "end") return known(met || has_light, end);
-  if (name == "normal") return known(met, ray.normal);
+  if (name == "normal") return known(met, normal_met(ray));
   if (name == "share") return known(index >= 0, ray.throughput);
   if (name == "passed") return known(found, ray.transmittance);
   if (name == "length") return known(met || has_light, length(end - ray.origin));

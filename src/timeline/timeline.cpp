@@ -117,16 +117,17 @@ Timeline::Timeline(std::vector<Event> events, ImageSize image) : image_(image), 
               if (loops && !decided.holds) end_path();
               if (decided.why != Ending::total_internal_reflection) return;
               // The nonexistent refract ray would at best graze the surface: shown as a stub along it.
-              const RayRecord shaded = rays_[static_cast<std::size_t>(ray)];
+              const RayRecord parent = rays_[static_cast<std::size_t>(ray)];
               RayRecord record;
               record.formed = false;
               record.kind = RayKind::refract;
               record.ending = Ending::total_internal_reflection;
               record.parent = ray;
-              record.origin = shaded.end;
-              const Vec3d along = shaded.direction - dot(shaded.direction, shaded.normal) * shaded.normal;
+              record.origin = parent.end;
+              const Vec3d& normal = parent.shaded.shading;
+              const Vec3d along = parent.direction - dot(parent.direction, normal) * normal;
               const double size = length(along);
-              record.direction = size > 0 ? along / size : shaded.direction;
+              record.direction = size > 0 ? along / size : parent.direction;
               record.end = record.origin + record.direction;
               record.throughput = Rgbd(0.0);
               record.found_at = after;

@@ -1,5 +1,7 @@
 // The live equation speaks of the normal that the tracer shaded with: whatever it shows of one agrees with the light.
 #include "fixtures.h"
+#include "lesson/expression.h"
+#include "lesson/play.h"
 #include "view/walk/equation.h"
 
 #include <fmt/format.h>
@@ -84,10 +86,31 @@ void check_mirrored(const EquationPanel& panel, Seen& seen) {
   ++seen.mirrored;
 }
 
+/// What a lesson's formulas call normal and incidence is what a mirror's ray goes by.
+void check_facts(const Scene& scene, const Timeline& timeline, int position) {
+  const auto walk = std::make_shared<LessonWalk>();
+  walk->document.scene = scene;
+  walk->timeline = timeline;
+  PlayedLesson played;
+  played.steps.push_back({nullptr, walk, position, position, {}});
+  const auto number = [&](const char* formula) {
+    const Outcome value = value_at(played, 0, position, Expression::parse(formula).value());
+    REQUIRE(value);
+    return std::get<double>(*value);
+  };
+  CHECK(number("angle(direction, parent.normal)") == Approx(number("parent.incidence")).margin(1e-5));
+}
+
 /// All positions of what is walked.
 void check_walk(State& state, Seen& seen) {
   const Scene& scene = state.scene();
   const Timeline& timeline = *state.walk.timeline;
+  for (const RayRecord& ray : timeline.rays())
+    if (ray.ending == Ending::total_internal_reflection) {
+      const RayRecord& shaded = timeline.rays()[static_cast<std::size_t>(ray.parent)];
+      CHECK(std::abs(dot(ray.direction, shaded.shaded.shading)) < 1e-9);
+    }
+  bool leaned = false;
   std::map<std::pair<int, int>, double> angles;  // by shaded ray and shadow ray's light: as the panel shows them
   std::map<std::pair<int, int>, int> shadows;
   for (int position = 1; position <= timeline.steps(); ++position) {
@@ -103,7 +126,10 @@ void check_walk(State& state, Seen& seen) {
     const RayRecord& ray = timeline.rays()[static_cast<std::size_t>(index)];
     CAPTURE(position, panel.title);
     if (stub != nullptr && stub->why == Ending::facing_away && length(stub->direction) > 0) check_behind(panel, seen);
-    if (formed != nullptr && without_pencil(event.line) == Line::form_reflect_ray) check_mirrored(panel, seen);
+    if (formed != nullptr && without_pencil(event.line) == Line::form_reflect_ray) {
+      check_mirrored(panel, seen);
+      if (leaned) check_facts(scene, timeline, position);
+    }
     if (formed != nullptr && formed->kind == RayKind::shadow && formed->light >= 0) {
       const EquationRow* angle = row_from(panel, "θ = ");
       REQUIRE(angle != nullptr);
@@ -119,7 +145,8 @@ void check_walk(State& state, Seen& seen) {
       const bool fixed = scene.objects[static_cast<std::size_t>(ray.object)].material.normal == ShadingNormal::fixed;
       if (!fixed) CHECK(cosine > -1e-9);
       CHECK(says(panel, "equation.normal_turned") == (dot(N, found->normal) < 0));
-      seen.leaned += says(panel, "equation.normal_leaned") ? 1 : 0;
+      leaned = says(panel, "equation.normal_leaned");
+      seen.leaned += leaned ? 1 : 0;
     }
     if (sum == nullptr) continue;
     const int shaded = timeline.frames()[static_cast<std::size_t>(timeline.current_frame(position))].ray;
