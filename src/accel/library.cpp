@@ -31,12 +31,21 @@ std::optional<BuildFailure> why_not(std::span<const T> positions, std::span<cons
   return std::nullopt;
 }
 
+/// Exact arithmetic is exact unless it under- or overflows: products of three of the numbers that are left have all
+/// their digits. Those of floats always have.
+template <class T>
+T without_underflow(T x) {
+  if constexpr (std::is_same_v<T, double>) return std::abs(x) < min_coordinate ? 0 : x;
+  return x;
+}
+
 template <class T>
 Primitives<T> primitives_of(std::span<const T> positions, std::span<const std::uint32_t> indices) {
   Mesh mesh;
   mesh.positions.reserve(positions.size() / 3);
   for (std::size_t i = 0; i < positions.size(); i += 3)
-    mesh.positions.emplace_back(positions[i], positions[i + 1], positions[i + 2]);
+    mesh.positions.emplace_back(without_underflow(positions[i]), without_underflow(positions[i + 1]),
+                                without_underflow(positions[i + 2]));
   mesh.triangles.reserve(indices.size() / 3);
   const auto vertex = [&](std::size_t i) { return static_cast<std::int32_t>(indices[i]); };
   for (std::size_t i = 0; i < indices.size(); i += 3)
@@ -46,8 +55,7 @@ Primitives<T> primitives_of(std::span<const T> positions, std::span<const std::u
   return primitives;
 }
 
-/// A query as it is searched. Exact arithmetic is exact unless it under- or overflows: a direction far from 1 is
-/// multiplied by 2^exponent, which divides t.
+/// A query as it is searched: a direction far from 1 is multiplied by 2^exponent, which divides t.
 template <class T>
 struct Search {
   Ray<T> ray;
@@ -62,7 +70,7 @@ std::optional<Search<T>> search_of(const RayQuery<T>& query, std::size_t triangl
   Ray<T>& ray = search.ray;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const int to = static_cast<int>(axis);
-    ray.origin[to] = query.origin[axis];
+    ray.origin[to] = without_underflow(query.origin[axis]);
     ray.direction[to] = query.direction[axis];
     if (!(std::abs(static_cast<double>(ray.origin[to])) <= max_coordinate) || !std::isfinite(ray.direction[to]))
       return std::nullopt;
@@ -72,13 +80,33 @@ std::optional<Search<T>> search_of(const RayQuery<T>& query, std::size_t triangl
   if constexpr (std::is_same_v<T, double>) {  // products of floats are in a double's range
     const Vec3d size = absolute(ray.direction);
     const double largest = max_component(size);
-    if (largest < 0x1p-512 || largest > 0x1p512) [[unlikely]] {
-      search.exponent = largest < 1 ? -std::ilogb(largest) : -512;
+    if (largest < 0x1p-32 || largest > 0x1p32) [[unlikely]] {
+      search.exponent = -std::ilogb(largest);
       for (int axis = 0; axis < 3; ++axis) ray.direction[axis] = std::scalbn(ray.direction[axis], search.exponent);
       search.t_max = std::scalbn(std::min(query.t_max, std::numeric_limits<T>::max()), -search.exponent);
     }
+    for (int axis = 0; axis < 3; ++axis) ray.direction[axis] = without_underflow(ray.direction[axis]);
   }
   return search;
+}
+
+/// The weights of b and c where a ray meets a triangle: from the areas between it and the corners as the ray sees them,
+/// not from the point that is rounded, which for small triangles far away lies far outside.
+template <class T>
+Vec2<T> weights_where_met(const Triangle<T>& triangle, const Ray<T>& of) {
+  const ShearedRay<T> ray(of);
+  const auto seen = [&](const Vec3<T>& corner) {
+    const double depth = static_cast<double>(corner[ray.kz]) - ray.from[2];
+    return Vec2d(static_cast<double>(corner[ray.kx]) - ray.from[0] - ray.x * depth,
+                 static_cast<double>(corner[ray.ky]) - ray.from[1] - ray.y * depth);
+  };
+  const Vec2d a = seen(triangle.a), b = seen(triangle.b), c = seen(triangle.c);
+  const std::array<double, 3> areas{cross(b, c), cross(c, a), cross(a, b)};
+  const double turn = areas[0] + areas[1] + areas[2] < 0 ? -1 : 1;
+  // It is met: what has another sign is rounding.
+  const auto weight = [&](std::size_t i) { return std::max(turn * areas[i], 0.0); };
+  const double sum = weight(0) + weight(1) + weight(2);
+  return sum > 0 ? Vec2<T>(Vec2d(weight(1), weight(2)) / sum) : Vec2<T>(0);
 }
 
 constexpr std::size_t most_at_once = 64;  ///< rays of a batch that are handed on at once
@@ -131,7 +159,7 @@ struct TriangleSet<T>::Built {
 
   [[nodiscard]] TriangleHit<T> told(const Ray<T>& ray, int exponent, const Hit<T>& hit) const {
     const Triangle<T> triangle = accelerator.primitives().triangles()[hit.primitive];
-    const Vec2<T> weights = barycentric(triangle, ray.at(hit.t));
+    const Vec2<T> weights = weights_where_met(triangle, ray);
     const T t = exponent == 0 ? hit.t : std::max(std::scalbn(hit.t, exponent), std::numeric_limits<T>::denorm_min());
     return {t, static_cast<std::uint32_t>(hit.primitive), weights.x, weights.y};
   }

@@ -13,12 +13,15 @@
 // - A hit or a miss is right, as if computed without rounding, for the corners and the ray as given. A closed mesh has
 //   no gaps: a ray through an edge or a corner crosses the surface once. A ray in the plane of a triangle does not meet
 //   it.
-// - The answer does not depend on the processor, on what else is in the set, or on batches; t has the error of one
-//   division or so.
+// - The answer does not depend on the processor, on what else is in the set, or on batches.
+// - t is rounded: as a rule by a few units in its last place, where the ray grazes the triangle or the triangle is a
+//   sliver by as many more times as that makes where they meet doubtful (its condition number). Of triangles whose t
+//   differ by less than that either may be told of. What is compared with t_max is t as T holds it; where T cannot hold
+//   it there is no hit.
 // - Everything const may be called from any number of threads at once. There is no global state.
-// - Nothing throws. What build cannot use it says; a query with numbers that are not finite, beyond `max_coordinate`,
-//   or without a direction meets nothing. A query through an edge or a corner may need a few kilobytes of memory for
-//   exact arithmetic; where there are none, the program ends.
+// - Nothing throws. What build cannot use it says; a query whose origin is beyond `max_coordinate`, with a direction of
+//   length 0, or with numbers that are not finite (t_max may be infinite) meets nothing. A query through an edge or a
+//   corner may need a few kilobytes of memory for exact arithmetic; where there are none, the program ends.
 
 #include <array>
 #include <cstddef>
@@ -33,6 +36,9 @@ namespace raywalk::accel {
 
 /// No number of a corner or of a ray's origin may be larger, to either side.
 inline constexpr double max_coordinate = 1e15;
+/// Numbers of corners and of origins that are nearer to 0 count as 0, so that nothing underflows; of directions, those
+/// that are as much smaller than the largest one.
+inline constexpr double min_coordinate = 0x1p-250;
 /// The most triangles, and the most vertices, of one set.
 inline constexpr std::size_t max_triangles = std::size_t{1} << 27;
 inline constexpr std::uint32_t no_triangle = std::numeric_limits<std::uint32_t>::max();
@@ -43,8 +49,10 @@ template <class T>
 struct RayQuery {
   std::array<T, 3> origin{0, 0, 0}, direction{0, 0, 1};
   T t_max = std::numeric_limits<T>::infinity();
-  /// The triangle that the ray leaves, if it begins on one: it is not met again at its beginning, so that nothing has
-  /// to be moved off the surface by an epsilon.
+  /// The triangle that the ray leaves, if it begins on one: it is not met again at its beginning, nor is one that
+  /// shares a corner with it and that rounding put before the origin, so that nothing has to be moved off the surface
+  /// by an epsilon. Which of them the ray leaves, too, follows from their turns: of triangles that share an edge
+  /// whatever these are; those that share one corner alone should have the same turn, as in a mesh that is wound alike.
   std::uint32_t leaves = no_triangle;
 };
 
@@ -53,7 +61,9 @@ template <class T>
 struct TriangleHit {
   T t = 0;
   std::uint32_t triangle = no_triangle;  ///< its corners are indices[3 triangle] and the two that follow
-  T u = 0, v = 0;                        ///< weights of its second and third corner; the first has 1 - u - v
+  /// Weights of its second and third corner; the first has 1 - u - v. None is below 0, but for the rounding of the sum.
+  /// They have the digits of a double less those by which the triangle is smaller than its distance, rounded to T.
+  T u = 0, v = 0;
 };
 
 /// Why no set was built.
@@ -79,7 +89,7 @@ template <class T>
 class TriangleSet {
  public:
   /// From x, y, z of each vertex and three vertices, from 0, of each triangle. Both are copied. Takes about 60 bytes
-  /// and, on one thread, some 2 microseconds a triangle. Triangles without an area are never met.
+  /// a triangle beside the copies and, on one thread, some 2 microseconds. Triangles without an area are never met.
   [[nodiscard]] static std::variant<TriangleSet, BuildFailure> build(std::span<const T> positions,
                                                                      std::span<const std::uint32_t> indices) noexcept;
 

@@ -285,10 +285,18 @@ bool Triangles<T>::leaves_by_edge(int from, int to, const Ray<T>& ray, T t) cons
   const Triangle<T> met = (*this)[to];
   if (!(way <= rounding * std::max({largest_of(met.a), largest_of(met.b), largest_of(met.c), start}))) return false;
   const Triangle<T> left = (*this)[from];
-  const auto shared = [&](const Vec3<T>& p) { return p == left.a || p == left.b || p == left.c; };
-  if (!shared(met.a) && !shared(met.b) && !shared(met.c)) return false;
+  const auto place = [&](const Vec3<T>& p) { return p == left.a ? 0 : p == left.b ? 1 : p == left.c ? 2 : -1; };
+  const std::array<int, 3> places{place(met.a), place(met.b), place(met.c)};
+  const auto shared = std::count_if(places.begin(), places.end(), [](int at) { return at >= 0; });
+  if (shared == 0) return false;
+  // Neighbours of one turn run along their edge in opposite directions.
+  bool alike = true;
+  for (std::size_t i = 0; i < 3 && shared == 2; ++i)
+    if (const int from_place = places[i], to_place = places[(i + 1) % 3]; from_place >= 0 && to_place >= 0)
+      alike = to_place != (from_place + 1) % 3;
   const auto side = [&](const Triangle<T>& of) { return dot(normal_of(of), ray.direction); };
-  return side(left) * side(met) > 0;
+  const T both = side(left) * side(met);
+  return alike ? both > 0 : both < 0;
 }
 
 template <class T>

@@ -161,6 +161,102 @@ TEMPLATE_TEST_CASE("the library has no gaps and right weights at any length and 
   }
 }
 
+TEMPLATE_TEST_CASE("weights are right where triangles are small for their distance", "[accel]", float, double) {
+  using T = TestType;
+  const double distance = sizeof(T) == sizeof(float) ? 1e4 : 1e9, size = distance * 1e-7;
+  std::mt19937 engine(11);
+  const auto next = [&] { return static_cast<double>(engine()) / 2147483648.0 - 1; };
+  int met = 0;
+  double worst = 0;
+  for (int i = 0; i < 20000; ++i) {
+    std::vector<T> corners;
+    for (int k = 0; k < 3; ++k)
+      for (const double along : {0.0, 0.0, distance}) corners.push_back(static_cast<T>(along + size * next()));
+    const RayQuery<T> ray{{static_cast<T>(size * next()), static_cast<T>(size * next()), 0},
+                          {static_cast<T>(size * next() / distance), static_cast<T>(size * next() / distance), 1}};
+    const auto hit =
+        std::get<TriangleSet<T>>(TriangleSet<T>::build(corners, std::vector<std::uint32_t>{0, 1, 2})).closest(ray);
+    if (!hit) continue;
+    ++met;
+    REQUIRE(hit->u >= 0);
+    REQUIRE(hit->v >= 0);
+    REQUIRE(hit->u + hit->v <= 1 + std::numeric_limits<T>::epsilon());
+    // d . (p - o) x (q - o) of each edge, by long doubles.
+    using Wide = long double;
+    std::array<Wide, 3> volumes;
+    for (std::size_t k = 0; k < 3; ++k) {
+      std::array<Wide, 3> p, q, d;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        p[axis] = static_cast<Wide>(corners[3 * ((k + 1) % 3) + axis]) - ray.origin[axis];
+        q[axis] = static_cast<Wide>(corners[3 * ((k + 2) % 3) + axis]) - ray.origin[axis];
+        d[axis] = ray.direction[axis];
+      }
+      for (std::size_t axis = 0; axis < 2; ++axis)  // sheared, so that few digits cancel
+        p[axis] -= d[axis] / d[2] * p[2], q[axis] -= d[axis] / d[2] * q[2];
+      volumes[k] = p[0] * q[1] - p[1] * q[0];
+    }
+    const Wide sum = volumes[0] + volumes[1] + volumes[2];
+    worst = std::max({worst, static_cast<double>(std::abs(volumes[1] / sum - hit->u)),
+                      static_cast<double>(std::abs(volumes[2] / sum - hit->v))});
+  }
+  CHECK(met > 1000);
+  CHECK(worst < 1e-3);  // of a triangle's width; of the rounded point up to 1 and more
+}
+
+TEMPLATE_TEST_CASE("a ray that leaves a mesh of mixed turns is not let through", "[accel]", float, double) {
+  using T = TestType;
+  // Every way to turn the faces of a tetrahedron that lies far from 0; rays from the middle of the first one inwards.
+  for (const auto& [corner, edge] : {std::pair(1000.0, 0.002), std::pair(1e5, 0.01), std::pair(1e6, 1.0)}) {
+    const T A = static_cast<T>(corner), far = static_cast<T>(corner + edge);
+    const std::vector<T> positions{A, A, A, far, A, A, A, far, A, A, A, far};
+    for (unsigned turned = 0; turned < 16; ++turned) {
+      std::vector<std::uint32_t> indices{0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
+      for (unsigned face = 0; face < 4; ++face)
+        if ((turned >> face & 1U) != 0) std::swap(indices[3 * face], indices[3 * face + 1]);
+      const auto triangles = std::get<TriangleSet<T>>(TriangleSet<T>::build(positions, indices));
+      CAPTURE(corner, turned);
+      RayQuery<T> ray{{A + (far - A) / 4, A + (far - A) / 4, A}, {T(0.1), T(0.2), 1}};
+      ray.leaves = 0;
+      CHECK(triangles.closest(ray));
+      CHECK(triangles.any(ray));
+      ray.direction = {T(0.1), T(0.2), -1};
+      CHECK_FALSE(triangles.any(ray));
+    }
+  }
+}
+
+TEST_CASE("numbers nearer to 0 than the least coordinate leave no gaps", "[accel]") {
+  // An octahedron with such numbers where it has zeros: rays from inside through its corners and edges.
+  for (const double tiny : {std::numeric_limits<double>::denorm_min(), 1e-310, 1e-200, 1e-160, 1e-155, 1e-150, 1e-100,
+                            0x1p-250, 0x1p-249}) {
+    const double D = tiny;
+    const std::vector<double> corners{0, 0, 1, 1, D, -D, -D, 1, 0, -1, -D, -D, -D, -1, D, D, D, -1};
+    const std::vector<std::uint32_t> faces{0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 1, 5, 2, 1, 5, 3, 2, 5, 4, 3, 5, 1, 4};
+    const auto ball = std::get<TriangleSet<double>>(TriangleSet<double>::build(corners, faces));
+    std::mt19937 engine(7);
+    const auto near = [&] { return static_cast<double>(static_cast<int>(engine() % 5) - 2) / 8; };
+    for (int i = 0; i < 2000; ++i) {
+      RayQuery<double> ray{{near(), near(), near()}, {0, 0, 0}};
+      for (double& x : ray.origin) x = x == 0 ? (engine() % 2 == 0 ? D : -D) : x;
+      const std::size_t from = 3 * (engine() % 6), to = i % 2 == 0 ? from : 3 * (engine() % 6);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        ray.direction[axis] = (corners[from + axis] + corners[to + axis]) / 2 - ray.origin[axis];
+      if (ray.direction == std::array<double, 3>{0, 0, 0}) continue;
+      CAPTURE(tiny, i);
+      CHECK(ball.closest(ray));
+    }
+  }
+  // Nor do triangles as small as that, and directions with them.
+  const std::vector<double> small{0, 0, 0x1p-240, 0x1p-240, 0, 0x1p-240, 0, 0x1p-240, 0x1p-240};
+  const auto one =
+      std::get<TriangleSet<double>>(TriangleSet<double>::build(small, std::vector<std::uint32_t>{0, 1, 2}));
+  const auto hit = one.closest({{0x1p-242, 0x1p-243, 0}, {0, 0, 0x1p-300}});
+  REQUIRE(hit);
+  CHECK(hit->t == 0x1p60);
+  CHECK(hit->u == 0.25);
+  CHECK(hit->v == 0.125);
+}
+
 TEMPLATE_TEST_CASE("the library says what it cannot build from, and where", "[accel]", float, double) {
   using T = TestType;
   const Buffers<T> good = torus<T>(4);
