@@ -3,6 +3,7 @@
 // its pdf. The maps are continuous where possible, so that stratification is preserved. Directions in a local frame
 // have the axis as +z.
 
+#include "math/elementary.h"
 #include "math/power.h"
 #include "math/vec.h"
 
@@ -86,6 +87,20 @@ template <class T>
 template <class T>
 [[nodiscard]] Vec3<T> sample_uniform_sphere(const Vec2<T>& u) {
   return sample_uniform_cone(u, T(2));
+}
+
+/// One of `grid` * `grid` points all around the sphere, for grid > 1: in belts of as many, every second one half a step
+/// on. The heights are the middles of belts of equal area, moved apart until the points have the sphere's own mean and
+/// mean squares (a spherical 2-design: P. Delsarte, J. M. Goethals and J. J. Seidel, "Spherical codes and designs",
+/// 1977; of 2 x 2 the regular tetrahedron). `sample_uniform_sphere` at the middles of squares has not: of 2 x 2 all
+/// have z = 1/2.
+template <class T>
+[[nodiscard]] Vec3<T> regular_on_sphere(int point, int grid) {
+  const int belt = point / grid, step = point % grid;
+  const T z = static_cast<T>(grid - 1 - 2 * belt) / std::sqrt(static_cast<T>(grid) * static_cast<T>(grid) - 1);
+  const auto [sin, cos] = portable::sin_cos(pi_v<T> * static_cast<T>(2 * step + belt % 2) / static_cast<T>(grid));
+  const T radius = std::sqrt(1 - z * z);
+  return {radius * cos, radius * sin, z};
 }
 
 /// A cosine-weighted direction above z = 0 (N. Malley: a point of the disk, projected up).

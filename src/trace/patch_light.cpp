@@ -81,8 +81,7 @@ Patches::LampLight Patches::light_of(const World<double>::Light& light, const Pa
   int hidden = 0, reaching = 0;
   TestCounts uncounted;
   for (int k = 0; k < grid * grid; ++k) {
-    const Vec3d from = grid == 1 ? light.place : light.sample(Vec2d((k % grid + 0.5) / grid, (k / grid + 0.5) / grid));
-    const Vec3d to_light = light.direction_to(from, at);
+    const Vec3d to_light = light.direction_to(light.regular(k, grid), at);
     if (!(dot(patch.normal, to_light) > 0) || !light.shines_along(to_light)) continue;
     if (occluders_->occluded(Ray<double>{at, to_light, Departure{patch.face, 0}, 0}, light.t_far(), uncounted)) {
       ++hidden;

@@ -117,10 +117,8 @@ auto SpaceBeamTracer<T, Watcher>::arriving_from(const Part& part, const Light& l
     if (const auto* rectangle = std::get_if<RectangleLight::Prepared<T>>(&light.kind))
       return arriving_from(part, light, *rectangle);
     std::vector<Arriving> arriving;
-    const T edge = static_cast<T>(light.grid);
     for (int sample = 0; sample < light.samples(); ++sample) {
-      const Vec2<T> cell(static_cast<T>(sample % light.grid), static_cast<T>(sample / light.grid));
-      const Vec3<T> to_light = light.direction_to(light.sample((cell + T(0.5)) / edge), part.at->position);
+      const Vec3<T> to_light = light.direction_to(light.regular(sample, light.grid), part.at->position);
       arriving.push_back({to_light, light.sample_weight * transmittance(part, light, to_light)});
     }
     return arriving;

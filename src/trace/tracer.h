@@ -238,6 +238,7 @@ class Tracer {
   [[nodiscard]] static int samples_of(const Light& light);
   [[nodiscard]] RandomKey light_key(const TreeRay& ray) const;
   [[nodiscard]] static Vec3<T> sample_light(const Light& light, const Vec2<T>& unit);
+  [[nodiscard]] static Vec3<T> regular_on_light(const Light& light, int sample);
   Vec3<T> light_point(const ShadingPoint& at, const TreeRay& ray, const Light& light, int sample);
   Vec3<T> sample_cone(const TreeRay& ray, const Vec3<T>& direction, T one_minus_cos, const Vec3<T>& facing_normal,
                       Effect effect);

@@ -42,6 +42,10 @@ template <class Policy>
 [[gnu::noinline, gnu::flatten]] auto Tracer<Policy>::sample_light(const Light& light, const Vec2<T>& unit) -> Vec3<T> {
   return light.sample(unit);
 }
+template <class Policy>
+[[gnu::noinline, gnu::flatten]] auto Tracer<Policy>::regular_on_light(const Light& light, int sample) -> Vec3<T> {
+  return light.regular(sample, light.grid);
+}
 
 /// The point on the light that shadow ray number `sample` goes to.
 template <class Policy>
@@ -49,9 +53,9 @@ inline auto Tracer<Policy>::light_point(const ShadingPoint& at, const TreeRay& r
     -> Vec3<T> {
   if constexpr (Policy::effects.penumbra) {
     if (!light.is_delta) {
+      if (!world_.draws) return regular_on_light(light, sample);
       const T edge = static_cast<T>(light.grid);
       const Vec2<T> cell(static_cast<T>(sample % light.grid), static_cast<T>(sample / light.grid));
-      if (!world_.draws) return sample_light(light, (cell + T(0.5)) / edge);
       const auto number = static_cast<std::uint32_t>(sample);
       constexpr int unasked = 16;  // rows of samples
       if (light.grid > unasked && number % (unasked * unasked) == 0) [[unlikely]]

@@ -123,6 +123,17 @@ struct World {
         return sample<I + 1>(unit);
       }
     }
+    /// One of `edge` * `edge` points all over it, without random numbers; the mean of all is its centre.
+    [[nodiscard]] Vec3<T> regular(int point, int edge) const {
+      if (edge == 1) return place;
+      return std::visit(
+          [&](const auto& light) {
+            if constexpr (requires { light.regular(point, edge); }) return light.regular(point, edge);
+            const Vec2<T> cell(static_cast<T>(point % edge), static_cast<T>(point / edge));
+            return sample((cell + T(0.5)) / static_cast<T>(edge));
+          },
+          kind);
+    }
     /// How far it reaches along a direction of unit length from its centre; 0 of a point.
     template <class S>
     [[nodiscard]] S half_extent(const Vec3<S>& direction) const {

@@ -5,6 +5,7 @@
 
 #include "math/sampler.h"
 
+#include <array>
 #include <functional>
 #include <utility>
 #include <vector>
@@ -95,6 +96,25 @@ TEMPLATE_TEST_CASE("the disk's sine and cosine are within two units in the last 
     const T two = 2 * std::numeric_limits<T>::epsilon();
     REQUIRE(std::abs(sin - portable::sin(angle)) <= two * std::abs(sin));
     REQUIRE(std::abs(cos - portable::cos(angle)) <= two * cos);
+  }
+}
+
+TEST_CASE("regular points of a sphere have its mean and its mean squares") {
+  for (int grid = 2; grid <= 20; ++grid) {
+    Vec3d mean(0.0);
+    std::array<Vec3d, 3> squares{Vec3d(0.0), Vec3d(0.0), Vec3d(0.0)};
+    for (int point = 0; point < grid * grid; ++point) {
+      const Vec3d at = regular_on_sphere<double>(point, grid);
+      CHECK(dot(at, at) == Approx(1).epsilon(1e-14));
+      mean += at;
+      for (int axis = 0; axis < 3; ++axis) squares[static_cast<std::size_t>(axis)] += at[axis] * at;
+    }
+    CAPTURE(grid);
+    CHECK(length(mean) < 1e-12 * grid * grid);
+    for (int row = 0; row < 3; ++row)
+      for (int column = 0; column < 3; ++column)
+        CHECK(squares[static_cast<std::size_t>(row)][column] / (grid * grid) ==
+              Approx(row == column ? 1.0 / 3 : 0.0).margin(1e-13));
   }
 }
 

@@ -1,9 +1,11 @@
 // What several integrators can show they show alike, where one of them did not: normals of smooth meshes that bend
-// light out again, lamps inside of what absorbs, the highlights of rough mirrors.
+// light out again, lamps inside of what absorbs, the highlights of rough mirrors, spheres of light.
 
 #include "io/scene_file.h"
 #include "render/render.h"
 #include "support/catch.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -140,4 +142,31 @@ material = { diffuse = 0 }
   const Rgbd in_shadow = mean(pixels_by(shaded, Integrator::whitted, 64));
   CHECK(in_shadow.x < 0.7 * expected.x);
   CHECK(std::abs(mean(pixels_by(shaded, Integrator::beams)).x - in_shadow.x) < 0.03 * expected.x);
+}
+
+TEST_CASE("without random numbers, too, a sphere of light shines like its middle, to each side") {
+  // Its points have the field of a charged shell (Newton's theorem); regular ones nearly so.
+  const auto square = [](double z) {
+    return fmt::format(
+        "[[object]]\nname = \"At {0}\"\ntype = \"flat_polygon\"\n"
+        "corners = [[-0.2, -0.2, {0}], [0.2, -0.2, {0}], [0.2, 0.2, {0}], [-0.2, 0.2, {0}]]\n"
+        "[object.material]\ndiffuse = 1\n",
+        z);
+  };
+  for (const int samples : {2, 3, 4, 16})
+    for (const double side : {-2.0, 2.0}) {
+      const std::string scene =
+          fmt::format(
+              "ambient = 0\n[camera]\neye = [0, 0, {}]\nlook_at = [0, 0, {}]\nup = [0, 1, 0]\nfov = "
+              "1\n[image]\nwidth = 1\nheight = 1\n[[light]]\nname = \"Bulb\"\ntype = "
+              "\"sphere\"\nposition = [0, 0, 0]\nradius = 0.8\nsamples = {}\nattenuation = [0, 0, "
+              "1]\nstrength = 2\n",
+              side / 2, side, samples) +
+          square(-2) + square(2);
+      for (const Integrator integrator :
+           {Integrator::cast, Integrator::whitted, Integrator::beams, Integrator::pencils, Integrator::radiosity}) {
+        CAPTURE(name_of(integrator), samples, side);
+        CHECK(pixels_by(scene, integrator)[0].x == Approx(0.5).epsilon(samples == 16 ? 0.02 : 0.06));
+      }
+    }
 }

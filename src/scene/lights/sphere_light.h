@@ -38,6 +38,9 @@ struct SphereLight {
     }
     [[nodiscard]] double seen_radius(const Vec3d& /*l*/) const { return static_cast<double>(radius); }
     [[nodiscard]] Vec3<T> sample(const Vec2<T>& unit) const { return centre + radius * sample_uniform_sphere(unit); }
+    [[nodiscard]] Vec3<T> regular(int point, int grid) const {
+      return centre + radius * regular_on_sphere<T>(point, grid);
+    }
   };
 };
 
