@@ -54,11 +54,13 @@ std::vector<std::string> idle_options(std::string_view command, const RenderOpti
     if (given.sampler) idle("--sampler", why);
     if (given.seed) idle("--seed", why);
   }
+  const bool is_global = traits_of(integrator).is_global;
   if (given.light_grid && std::none_of(scene.lights.begin(), scene.lights.end(), is_area))
     idle("--light-grid", "no light has an extent");
   else if (given.light_grid && integrator == Integrator::cones)
     idle("--light-grid", "cones see lights whole");
-  const bool is_global = traits_of(integrator).is_global;
+  else if (given.light_grid && is_global)
+    idle("--light-grid", fmt::format("the integrator {} chooses points of lights by itself", name));
   if (is_global || !traits_of(integrator).is_recursive) {
     const std::string why = integrator == Integrator::path ? "paths end by chance, or as --path-length says"
                             : integrator == Integrator::photons

@@ -142,15 +142,13 @@ Result<Timeline> record_within_reason(const StepOptions& options, const Scene& s
   limited.limits.depth = std::min({scene.limits.depth, feasible, harmless_depth});
   for (;;) {
     Timeline timeline = record(options, limited, size);
-    const bool cut_off = std::any_of(timeline.rays().begin(), timeline.rays().end(),
-                                     [](const RayRecord& ray) { return !ray.formed && ray.ending == Ending::depth; });
-    if (!cut_off || limited.limits.depth == scene.limits.depth) return timeline;
-    const double room = std::log(max_steps / timeline.steps()) / std::log(worst_growth);
+    if (!timeline.is_cut_off_by_depth() || limited.limits.depth == scene.limits.depth) return timeline;
+    const double room = std::log(max_steps / timeline.steps_of_all_rays()) / std::log(worst_growth);
     if (room < 1) {
       return tl::unexpected(
           Error{options.scene, 0, 0,
-                fmt::format("there are {} steps to depth {} already, too many to go on to depth {}", timeline.steps(),
-                            limited.limits.depth, scene.limits.depth),
+                fmt::format("there are {:.0f} steps to depth {} already, too many to go on to depth {}",
+                            timeline.steps_of_all_rays(), limited.limits.depth, scene.limits.depth),
                 fmt::format("go less deep with --depth {}, or only for one pixel with --pixel", limited.limits.depth)});
     }
     limited.limits.depth = std::min(scene.limits.depth, limited.limits.depth + static_cast<int>(room));

@@ -26,12 +26,14 @@ Timeline record_in(const Scene& scene, ImageSize size, ImageSize whole, const Pi
     if (flat) watched.walked = how.shots, watched.single = how.single_shots;
     kernel.radiosity()->watch_shots(watched, recorder, how.stop);
   }
+  Statistics statistics;
   // Pixel by pixel, each with all its samples, so that one can watch them accumulate.
   for (int row = block.row_begin; row < block.row_end; ++row)
     for (int column = block.column_begin; column < block.column_end; ++column)
       for (int sample = 0; sample < how.sampling.per_pixel; ++sample)
-        kernel.watched(camera, {column, column + 1, row, row + 1, sample, 1, 1, how.stop}, recorder);
+        statistics += kernel.watched(camera, {column, column + 1, row, row + 1, sample, 1, 1, how.stop}, recorder);
   Timeline timeline = recorder.take(size);
+  timeline.set_statistics(statistics);
   if (kernel.photons()) timeline.set_photons(kernel.photons()->shared_maps(), flat);
   if (kernel.radiosity()) timeline.set_patches(kernel.radiosity()->patches(), flat);
   if (kernel.has_flat_cones()) timeline.set_flat();
@@ -49,8 +51,10 @@ Timeline record_beams(const Scene& scene, ImageSize size, ImageSize whole, const
   Recorder recorder;
   PixelBlock pixels = block;
   pixels.stop = how.stop;
-  static_cast<void>(trace_beams_watched(*world, outlines, camera, pixels, recorder));
-  return recorder.take(size);
+  const Statistics statistics = trace_beams_watched(*world, outlines, camera, pixels, recorder);
+  Timeline timeline = recorder.take(size);
+  timeline.set_statistics(statistics);
+  return timeline;
 }
 
 Timeline record(const Scene& scene, ImageSize size, ImageSize whole, const PixelBlock& block, const Recording& how) {

@@ -4,6 +4,7 @@
 #include "trace/photon_pass.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace raywalk {
 
@@ -296,6 +297,11 @@ int Timeline::part_of(int ray) const {
     ray = record.parent;
   }
   return -1;
+}
+
+double Timeline::steps_of_all_rays() const {
+  const auto rays = std::accumulate(statistics_.rays.begin(), statistics_.rays.end(), std::uint64_t{0});
+  return std::max<double>(steps(), 2 * static_cast<double>(rays));
 }
 
 const PhotonMaps* Timeline::photons() const {

@@ -7,6 +7,7 @@
 
 #include "scene/scene.h"
 #include "trace/event.h"
+#include "trace/statistics.h"
 
 #include <memory>
 
@@ -122,6 +123,13 @@ class Timeline {
   [[nodiscard]] const PhotonMaps* photons() const;
   /// The position from which all of them are there.
   [[nodiscard]] int all_photons_at() const { return all_photons_at_; }
+  /// What was counted when it was recorded. The rays that follow a beam's middle ray are among that, and not recorded.
+  [[nodiscard]] const Statistics& statistics() const { return statistics_; }
+  void set_statistics(const Statistics& statistics) { statistics_ = statistics; }
+  /// Whether a ray was not formed because of the limit of depth.
+  [[nodiscard]] bool is_cut_off_by_depth() const { return statistics_.ends(Ending::depth) > 0; }
+  /// How many steps it would have with all its rays: each has two at least.
+  [[nodiscard]] double steps_of_all_rays() const;
   /// Whether it runs in a flat world.
   [[nodiscard]] bool is_flat() const { return flat_ || (of_beams() && of_strip()); }
   void set_flat() { flat_ = true; }
@@ -205,6 +213,7 @@ class Timeline {
   std::vector<int> shot_ends_;     ///< positions, ascending
   std::vector<int> lights_known_;  ///< positions after events that hold the light of all patches, ascending
   bool flat_ = false;
+  Statistics statistics_;
 };
 
 }  // namespace raywalk

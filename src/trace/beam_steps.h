@@ -282,7 +282,9 @@ Rgbd BeamTracer<Watcher>::follow_middle_ray(int depth, const MiddleRay& ray) {
     return nearest ? detail::describe(ray.number, Ending::hit, world_, ray.ray, *nearest)
                    : detail::describe_missed(ray.number, Ending::missed, world_, ray.ray);
   });
-  return tracer_.radiance_along(ray.ray, depth + 1, ray.medium);
+  const Rgbd brought = tracer_.radiance_along(ray.ray, depth + 1, ray.medium);
+  statistics_ += tracer_.take_statistics();
+  return brought;
 }
 
 /// Of rays a sixteenth of a part's width from its ends, beside that in its middle, which brought `shade`. What beams
@@ -310,6 +312,7 @@ double BeamTracer<Watcher>::off_near_ends(int depth, const Beam& beam, const Par
     off = std::max({off, std::abs(more.x), std::abs(more.y), std::abs(more.z)});
   }
   statistics_ = counted;
+  static_cast<void>(tracer_.take_statistics());
   return off;
 }
 

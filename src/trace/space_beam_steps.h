@@ -29,17 +29,18 @@ void SpaceBeamTracer<T, Watcher>::begin(const Pixel& pixel) {
   note(Line::beam_for_each_pixel, 0, [&] { return PixelBegun{pixel.column, pixel.row, pixel.sample}; });
 }
 
-/// Of a pixel of k x k samples, each is the beam of one of its cells; of another number, each is the whole.
+/// Each sample is the beam of one of the pixel's cells, whose rows and columns are as nearly as many as can be.
 template <class T, class Watcher>
 auto SpaceBeamTracer<T, Watcher>::form_beam(const Pixel& pixel) -> Beam {
   const int samples = camera_.sampling().per_pixel;
-  int edge = 1;
-  while (edge * edge < samples) ++edge;
-  if (edge * edge != samples) edge = 1;
-  const int cell = cell_of_sample(pixel.sample % (edge * edge), edge);
-  const double side = 1.0 / edge;
-  const Vec2d from{pixel.column + side * (cell % edge), pixel.row + side * (cell / edge)};
-  Beam beam = beam_between(from, {from.x + side, from.y + side});
+  int rows = 1;
+  for (int k = 2; k * k <= samples; ++k)
+    if (samples % k == 0) rows = k;
+  const int columns = samples / rows, sample = pixel.sample % samples;
+  const int cell = rows == columns ? cell_of_sample(sample, rows) : sample;
+  const Vec2d size(1.0 / columns, 1.0 / rows);
+  const Vec2d from{pixel.column + size.x * (cell % columns), pixel.row + size.y * (cell / columns)};
+  Beam beam = beam_between(from, from + size);
   note(Line::form_beam, 0, [&] {
     return BeamFormed{beam.number, -1, beam.view.eye, 0, 1, drawn_area(beam, {beam.window}), Rgbd(beam.throughput)};
   });
@@ -332,7 +333,9 @@ Rgb<T> SpaceBeamTracer<T, Watcher>::follow_middle_ray(int depth, const MiddleRay
     return nearest ? detail::describe(ray.number, Ending::hit, world_, ray.ray, *nearest)
                    : detail::describe_missed(ray.number, Ending::missed, world_, ray.ray);
   });
-  return tracer_.radiance_along(ray.ray, depth + 1, ray.medium);
+  const Rgb<T> brought = tracer_.radiance_along(ray.ray, depth + 1, ray.medium);
+  statistics_ += tracer_.take_statistics();
+  return brought;
 }
 
 /// Of the shades near the corners of a part, a sixteenth of the way from there to its middle, which has `shade`. What a
@@ -351,6 +354,7 @@ double SpaceBeamTracer<T, Watcher>::off_near_border(int depth, const Beam& beam,
     off = std::max({off, std::abs(more.x), std::abs(more.y), std::abs(more.z)});
   }
   statistics_ = counted;
+  static_cast<void>(tracer_.take_statistics());
   return off;
 }
 

@@ -21,6 +21,7 @@
 #include <cstdint>
 #include <optional>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace raywalk {
@@ -81,6 +82,8 @@ class Tracer {
   }
 
   [[nodiscard]] const Statistics& statistics() const { return statistics_; }
+  /// Counts from nothing again.
+  Statistics take_statistics() { return std::exchange(statistics_, {}); }
 
  protected:  // for pencil tracing, which follows a pencil's axis so (trace/pencils.h)
   /// The position of a ray in the ray tree, which keys its draws; only in kernels that draw.

@@ -102,6 +102,10 @@ TEST_CASE("a grid of points needs a light with an extent") {
     scene.render.integrator = integrator;
     CHECK(idle(given, scene).empty());
   }
+  for (const Integrator integrator : {Integrator::path, Integrator::photons, Integrator::radiosity}) {
+    scene.render.integrator = integrator;
+    CHECK(idle(given, scene) == "--light-grid ");
+  }
 }
 
 TEST_CASE("paths have a limit of their own, and all others theirs") {

@@ -1,4 +1,5 @@
 #include "app/process.h"
+#include "image/image_file.h"
 #include "io/scene_file.h"
 #include "timeline/recorder.h"
 #include "view/text/text.h"
@@ -179,6 +180,28 @@ TEST_CASE("a walk without end is refused, a deep one with an end is not") {
   const Outcome deep = folder.run({"step", "mirror.toml"});
   CHECK(deep.exit_code == 0);
   CHECK_THAT(deep.out, contains("[300]") && !contains("[301]"));
+}
+
+TEST_CASE("rays that no step tells of, behind a beam's middle, are followed as deep as the scene says") {
+  const Folder folder;
+  const std::vector<std::string> how{"--integrator", "beams", "--size", "21x15"};
+  const auto run = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), how.begin(), how.end());
+    const Outcome done = folder.run(arguments);
+    CHECK(done.exit_code == 0);
+    return done.out;
+  };
+  run({"render", "glass_in_water", "-o", "whole.pfm", "-q"});
+  const Image whole = read_image((folder.path() / "whole.pfm").string()).value();
+  for (const auto& [column, row] : {std::pair(10, 6), std::pair(5, 6)}) {
+    const auto steps = nlohmann::json::parse(run(
+        {"step", "glass_in_water", "--pixel", std::to_string(column) + "," + std::to_string(row), "--format", "json"}));
+    const auto& put = steps["steps"].back()["shade"];
+    const auto& expected = whole.pixels[static_cast<std::size_t>(row * whole.width + column)];
+    CAPTURE(column, row, put.dump());
+    for (int channel = 0; channel < 3; ++channel)
+      CHECK(put[static_cast<std::size_t>(channel)].get<double>() == Approx(expected[channel]).epsilon(1e-5));
+  }
 }
 
 TEST_CASE("lights of so many samples that one hit fills the memory are refused") {

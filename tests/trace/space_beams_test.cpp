@@ -367,23 +367,33 @@ TEST_CASE("which pixels are traced together, and in which precision, changes no 
   }));
 }
 
-TEST_CASE("four beams of a pixel see together what one does where shades do not change") {
+TEST_CASE("several beams of a pixel see together what one does where shades do not change") {
   Draw next(13);
   Scene scene = empty_scene();
   for (int i = 0; i < 8; ++i)
     scene.objects.push_back({"T" + std::to_string(i), random_triangle(next, 0.9), glowing(Rgbd(next(0, 1)))});
   const auto one = picture_of<double>(scene, 6, 6);
-  std::vector<Rgbd> sums(36, Rgbd(0.0));
   const BeamFaces faces = beam_faces_of(scene);
   const World<double> world(scene);
   const ImageSize size{6, 6};
-  const RayGenerator<double> camera(scene, size, size, {4});
-  PixelBlock block;
-  block.column_end = 6, block.row_end = 6, block.samples = 4;
-  static_cast<void>(trace_space_beams<double>(world, faces, camera, block, [&](const Pixel& pixel, const Rgbd& shade) {
-    sums[static_cast<std::size_t>(pixel.row * 6 + pixel.column)] += shade / 4.0;
-  }));
-  for (std::size_t i = 0; i < sums.size(); ++i) CHECK(sums[i].x == Approx(one.pixels[i].x).epsilon(0).margin(1e-9));
+  for (const int samples : {2, 3, 4, 6, 7}) {
+    CAPTURE(samples);
+    std::vector<Rgbd> sums(36, Rgbd(0.0)), squares(36, Rgbd(0.0));
+    const RayGenerator<double> camera(scene, size, size, {samples});
+    PixelBlock block;
+    block.column_end = 6, block.row_end = 6, block.samples = samples;
+    static_cast<void>(
+        trace_space_beams<double>(world, faces, camera, block, [&](const Pixel& pixel, const Rgbd& shade) {
+          const auto at = static_cast<std::size_t>(pixel.row * 6 + pixel.column);
+          sums[at] += shade / static_cast<double>(samples), squares[at] += shade * shade / static_cast<double>(samples);
+        }));
+    int differ = 0;
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+      CHECK(sums[i].x == Approx(one.pixels[i].x).epsilon(0).margin(1e-9));
+      differ += squares[i].x > sums[i].x * sums[i].x + 1e-6;
+    }
+    CHECK(differ > 5);  // each sees a part of its own
+  }
 }
 
 TEST_CASE("watching beams in space changes no bit, and tells of parts that are the pixel") {

@@ -21,11 +21,6 @@ struct Recorded {
   int samples = 1;  ///< per pixel; possibly fewer for the same reason
 };
 
-bool ended_by_depth(const Timeline& timeline) {
-  return std::any_of(timeline.rays().begin(), timeline.rays().end(),
-                     [](const RayRecord& ray) { return !ray.formed && ray.ending == Ending::depth; });
-}
-
 void limit_depth(SceneSeen& scene, int depth) {
   TraceLimits limits = scene->limits;
   limits.depth = depth;
@@ -58,14 +53,14 @@ Recorded record_to_depth(const State& state) {
   Recorded recorded{record(state, *limited, fault, 1), limited->limits.depth};
   double growth = worst_growth;
   while (recorded.depth < wanted) {
-    if (!ended_by_depth(recorded.timeline)) return {std::move(recorded.timeline), wanted};
-    const double events = recorded.timeline.steps();
+    if (!recorded.timeline.is_cut_off_by_depth()) return {std::move(recorded.timeline), wanted};
+    const double events = recorded.timeline.steps_of_all_rays();
     const double room = std::log(max_events / events) / std::log(std::min(worst_growth, 1.2 * growth));
     if (!(room >= 1)) return recorded;
     const int levels = std::min({static_cast<int>(std::min(room, 64.0)), wanted - recorded.depth});
     limit_depth(limited, recorded.depth + levels);
     recorded = {record(state, *limited, fault, 1), limited->limits.depth};
-    growth = std::max(1.0, std::pow(recorded.timeline.steps() / events, 1.0 / levels));
+    growth = std::max(1.0, std::pow(recorded.timeline.steps_of_all_rays() / events, 1.0 / levels));
   }
   return recorded;
 }
