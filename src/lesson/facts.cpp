@@ -27,9 +27,7 @@ double bodies_of(const std::vector<Object>& objects) {
 }
 
 /// Outward; where a surface is shaded, the one that it is shaded with.
-Vec3d normal_met(const RayRecord& ray) {
-  return ray.ending == Ending::hit ? ray.outward_shading_normal() : ray.normal;
-}
+Vec3d normal_met(const RayRecord& ray) { return ray.ending == Ending::hit ? ray.outward_shading_normal() : ray.normal; }
 
 /// The angle of incidence, in degrees.
 double incidence(const RayRecord& ray) {

@@ -164,8 +164,9 @@ mutant inverse_moves_the_wrong_way transform math/transform.h 'inverted.move = -
   'inverted.move = inverted.direction(m.move);'
 
 # --- Coordinates on surfaces ------------------------------------------------------------------------------------------
-mutant uv_box_axes_swapped uv shape/box.h '{from_corner[axis == 0 ? 1 : 0], from_corner[axis == 2 ? 1 : 2]}' \
-  '{from_corner[axis == 2 ? 1 : 2], from_corner[axis == 0 ? 1 : 0]}'
+mutant uv_box_axes_swapped uv shape/box.h 'across = part / 2 == 0 ? 1 : 0, up = part / 2 == 2 ? 1 : 2' \
+  'across = part / 2 == 2 ? 1 : 2, up = part / 2 == 0 ? 1 : 0'
+mutant uv_box_mirrored uv shape/box.h 'part == 1 || part == 2 || part == 5' 'part < 6'
 mutant uv_wall_without_radius uv shape/quadric.h '{quadric.radii.x * angle, ' '{angle, '
 mutant uv_triangle_turned uv shape/triangle.h 'cross(point.normal, along)' 'cross(along, point.normal)'
 mutant uv_normal_as_a_direction uv shape/object_transform.h 'transform.to_object.normal(point.normal)' \
