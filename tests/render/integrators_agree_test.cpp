@@ -166,7 +166,8 @@ TEST_CASE("without random numbers, too, a sphere of light shines like its middle
       for (const Integrator integrator :
            {Integrator::cast, Integrator::whitted, Integrator::beams, Integrator::pencils, Integrator::radiosity}) {
         CAPTURE(name_of(integrator), samples, side);
-        CHECK(pixels_by(scene, integrator)[0].x == Approx(0.5).epsilon(samples == 16 ? 0.02 : 0.06));
+        const bool many = samples == 16 && integrator != Integrator::radiosity;  // which has a grid of its own
+        CHECK(pixels_by(scene, integrator)[0].x == Approx(0.5).epsilon(many ? 0.02 : 0.06));
       }
     }
 }
