@@ -76,7 +76,7 @@ class SceneSink {
     const double strength = std::sqrt(count) / (2 * count);
     if (toml_) {
       sink_.print(
-          "title = \"{}\"\nbackground = [0.3, 0.45, 0.7]\nambient = {:.9g}\n\n[camera]\neye = [{}, {}, {}]\n"
+          "title = \"{}\"\nbackground = [0.3, 0.45, 0.7]\nambient = {}\n\n[camera]\neye = [{}, {}, {}]\n"
           "look_at = [{}, {}, {}]\nfov = {}\nfov_axis = \"y\"\n\n[image]\nwidth = 512\nheight = 512\n",
           title, strength, eye.x, eye.y, eye.z, look_at.x, look_at.y, look_at.z, fov);
     } else {
@@ -87,7 +87,7 @@ class SceneSink {
     }
     for (const Vec3d& p : lights) {
       if (toml_)
-        sink_.print("\n[[light]]\nname = \"Light {}\"\ntype = \"point\"\nposition = [{}, {}, {}]\nstrength = {:.9g}\n",
+        sink_.print("\n[[light]]\nname = \"Light {}\"\ntype = \"point\"\nposition = [{}, {}, {}]\nstrength = {}\n",
                     &p - lights.data() + 1, p.x, p.y, p.z, strength);
       else
         sink_.print("l {} {} {}\n", p.x, p.y, p.z);
