@@ -22,10 +22,15 @@ namespace raywalk {
 
 namespace {
 
+/// "2 flat polygons", "1 hyperboloid of two sheets".
 std::string count_of(std::size_t count, std::string_view what) {
-  std::string words(what);
+  constexpr std::string_view hyperboloid = "hyperboloid";  // behind it the name says of how many sheets
+  std::string words(what.substr(0, what.starts_with(hyperboloid) ? hyperboloid.size() : what.size()));
+  const bool hisses = words.ends_with('x') || words.ends_with("sh");
+  if (count != 1) words += hisses ? "es" : "s";
+  if (what.starts_with(hyperboloid)) words += " of" + std::string(what.substr(hyperboloid.size()));
   std::replace(words.begin(), words.end(), '_', ' ');
-  return fmt::format("{} {}{}", count, words, count == 1 ? "" : what.ends_with('x') ? "es" : "s");
+  return fmt::format("{} {}", count, words);
 }
 
 /// "2 spheres, 1 plane", in order of first occurrence.

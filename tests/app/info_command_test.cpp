@@ -38,6 +38,22 @@ TEST_CASE("info says what a scene holds and why it is planar or not") {
   CHECK_THAT(info_text(scene, ""), contains("the pixels of the image's middle row"));
 }
 
+TEST_CASE("info counts shapes as one says it") {
+  Scene scene;
+  Mesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  mesh.triangles = {{0, 1, 2}};
+  const MeshShape shape{"", true, true, std::make_shared<const Mesh>(mesh), {}};
+  for (const char* name : {"A", "B"}) {
+    scene.objects.push_back({name + std::string("m"), shape, {}});
+    scene.objects.push_back({name + std::string("b"), Box<double>{{0, 0, 0}, {1, 1, 1}}, {}});
+    scene.objects.push_back({name + std::string("h"), HyperboloidTwoSheets<double>{}, {}});
+  }
+  scene.objects.push_back({"One", HyperboloidOneSheet<double>{}, {}});
+  CHECK_THAT(info_text(scene, ""),
+             contains("2 meshes, 2 boxes, 2 hyperboloids of two sheets, 1 hyperboloid of one sheet\n"));
+}
+
 TEST_CASE("info names every effect and why it is used or not") {
   const Folder folder;
   const Outcome outcome = folder.run({"info", "classic"});
