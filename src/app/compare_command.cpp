@@ -59,7 +59,7 @@ void declare_compare(CLI::App& program, Run& run) {
   CLI::App& command = *program.add_subcommand("compare", "Say how far one picture is from another");
   const auto options = std::make_shared<CompareOptions>();
   CompareOptions& to = *options;
-  command.add_option("A", to.test, "The picture in question: .png, .pfm or .exr")->required()->type_name("");
+  command.add_option("A", to.test, "The picture in question: .png, .pfm, .exr or .hdr")->required()->type_name("");
   command.add_option("B", to.reference, "The picture that it should be, of the same size")->required()->type_name("");
   add_image(command, to.difference,
             "Write the difference: as .png what an eye sees of it (FLIP), from dark blue (0) to yellow (1);\n"

@@ -80,5 +80,6 @@ TEST_CASE("compare says what it cannot compare") {
   CHECK(outcome.exit_code == 2);
   CHECK_THAT(outcome.err, contains(".png, .pfm or .exr"));
   CHECK(folder.run({"compare", "a.pfm", "a.pfm", "-o", "nowhere/d.png"}).exit_code == 1);
-  CHECK_THAT(folder.run({"compare", "--help"}).out, contains("FLIP") && contains("Examples"));
+  CHECK_THAT(folder.run({"compare", "--help"}).out,
+             contains("FLIP") && contains("Examples") && contains(".png, .pfm, .exr or .hdr"));
 }
