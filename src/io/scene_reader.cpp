@@ -29,8 +29,11 @@ std::string found(const toml::node& node) {
     }
     case toml::node_type::integer:
       return fmt::format("{}", node.as_integer()->get());
-    case toml::node_type::floating_point:
-      return fmt::format("{}", node.as_floating_point()->get());
+    case toml::node_type::floating_point: {
+      const std::string digits = fmt::format("{}", node.as_floating_point()->get());
+      const bool looks_whole = digits.find_first_not_of("-0123456789") == std::string::npos;
+      return looks_whole ? digits + ".0" : digits;  // which keys of whole numbers refuse
+    }
     case toml::node_type::boolean:
       return node.as_boolean()->get() ? "true" : "false";
     case toml::node_type::date:

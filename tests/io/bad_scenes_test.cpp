@@ -96,6 +96,8 @@ std::vector<BadScene> bad_scenes() {
       {"no cells", camera + "[screen]\ncells = 0\n", 6, 9, "found 0 (expected a whole number from 1 to", ""},
       {"half a cell", camera + "[screen]\ncells = 20.5\n", 6, 9, "found 20.5 (expected a whole number",
        "decimal point"},
+      {"cells with a decimal point", camera + "[screen]\ncells = 21.0\n", 6, 9, "found 21.0 (expected a whole number",
+       "decimal point"},
       // The image and the limits.
       {"no columns", camera + "[image]\nwidth = 0\n", 6, 9, "width of [image]: found 0", ""},
       {"negative rows", camera + "[image]\nheight = -5\n", 6, 10, "found -5", ""},
