@@ -5,9 +5,10 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <csetjmp>
 #include <cstdint>
+#include <cstring>
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,7 +29,7 @@ Result<void> check_size(const std::string& file, std::int64_t width, std::int64_
     return no_texture(
         file, fmt::format("the image has {} x {} pixels (expected at most {} in all)", width, height, max_pixels),
         "make it smaller");
-  constexpr double bytes_each = 4 + sizeof(Rgb<float>);  // as it is decoded, and as it is kept
+  constexpr double bytes_each = 6 + sizeof(Rgb<float>);  // as it is decoded, at most, and as it is kept
   if (auto large = why_too_large({fmt::format("an image of {} x {} pixels", width, height),
                                   bytes_each * static_cast<double>(width * height), "make it smaller"},
                                  file))
@@ -40,81 +41,114 @@ tl::unexpected<Error> damaged(const std::string& file, const std::string& why) {
   return no_texture(file, fmt::format("the image is damaged: {}", why), "is the file whole?");
 }
 
-/// Red, green and blue bytes, with others that are ignored, row by row from the top.
-struct Bytes {
-  int width, height, channels;
-  std::vector<std::uint8_t> bytes;
+/// Red, green and blue, row by row from the top: a byte each, or two, the higher one first.
+struct Samples {
+  int width = 0, height = 0;
+  bool has_16_bits = false;
+  std::vector<std::uint8_t> bytes{};
 };
 
-/// A PNG without what it says of its colours, which numbers are not.
-std::string without_colour_space(std::string_view png) {
-  constexpr std::size_t signature = 8, around = 12;  // a chunk's length, name and checksum
-  std::string plain(png.substr(0, signature));
-  for (std::size_t at = signature; at + around <= png.size();) {
-    std::size_t length = 0;
-    for (std::size_t i = 0; i < 4; ++i) length = length << 8 | static_cast<unsigned char>(png[at + i]);
-    const std::string_view chunk = png.substr(at, length + around), name = chunk.substr(4, 4);
-    if (name != "gAMA" && name != "cHRM" && name != "sRGB" && name != "iCCP") plain += chunk;
-    at += chunk.size();
+/// A PNG in memory, by libpng, whose errors are jumps: what it jumps out of has nothing to destroy. Not by its
+/// simplified interface, which mixes the rows of interlaced pictures of 16 bits (its issue 853) and multiplies 16 bits
+/// by their alpha.
+class PngReader {
+ public:
+  explicit PngReader(std::string_view bytes)
+      : rest_(bytes), png_(png_create_read_struct(PNG_LIBPNG_VER_STRING, this, fail, ignore)) {
+    if (png_ == nullptr) return;
+    info_ = png_create_info_struct(png_);
+    png_set_read_fn(png_, this, give);
   }
-  return plain;
-}
+  ~PngReader() { png_destroy_read_struct(&png_, &info_, nullptr); }
+  PngReader(const PngReader&) = delete;
+  PngReader& operator=(const PngReader&) = delete;
 
-/// The numbers of a PNG of 16 bits a channel. None where it has 8, or cannot be read; nor where it is transparent
-/// somewhere, for libpng multiplies 16 bits by that.
-std::optional<Image> numbers_of_16_bits(std::string_view bytes, std::int64_t max_pixels) {
-  png_image header{};
-  header.version = PNG_IMAGE_VERSION;
-  const std::unique_ptr<png_image, decltype(&png_image_free)> image(&header, png_image_free);
-  if (png_image_begin_read_from_memory(image.get(), bytes.data(), bytes.size()) == 0) return std::nullopt;
-  const bool has_16_bits = (image->format & PNG_FORMAT_FLAG_LINEAR) != 0;
-  if (!has_16_bits || !check_size("", image->width, image->height, max_pixels)) return std::nullopt;
-  image->format = PNG_FORMAT_LINEAR_RGB_ALPHA;
-  std::vector<png_uint_16> samples(PNG_IMAGE_SIZE(*image) / sizeof(png_uint_16));
-  if (png_image_finish_read(image.get(), nullptr, samples.data(), 0, nullptr) == 0) return std::nullopt;
-  constexpr png_uint_16 most = 65535;
-  const auto number = [](png_uint_16 sample) { return static_cast<float>(sample / static_cast<double>(most)); };
-  Image numbers{static_cast<int>(image->width), static_cast<int>(image->height), {}};
-  numbers.pixels.reserve(samples.size() / 4);
-  for (std::size_t i = 0; i < samples.size(); i += 4) {
-    if (samples[i + 3] != most) return std::nullopt;
-    numbers.pixels.emplace_back(number(samples[i]), number(samples[i + 1]), number(samples[i + 2]));
+  /// All that stands before the pixels; false if that is damaged.
+  [[nodiscard]] bool read_head() {
+    if (info_ == nullptr) return false;
+    return attempt([&] {
+      png_set_benign_errors(png_, 1);
+      png_read_info(png_, info_);
+    });
   }
-  return numbers;
-}
+  [[nodiscard]] std::uint32_t width() const { return png_get_image_width(png_, info_); }
+  [[nodiscard]] std::uint32_t height() const { return png_get_image_height(png_, info_); }
 
-/// Whether libpng, asked for 8 bits, might mix the rows of its passes (its issue 853: of 16 bits a channel,
-/// interlaced).
-bool mixes_rows(std::string_view png) {
-  constexpr std::size_t depth = 24, interlace = 28;  // in the first chunk, which is always the same one
-  return png.size() > interlace && png[depth] == 16 && png[interlace] != 0;
-}
+  /// Once, after the head; false if the picture is damaged. Colours have 8 bits, and are in sRGB, from what the file
+  /// says that they are in. Numbers are as they stand there. Transparent pixels keep theirs.
+  [[nodiscard]] bool read(ByteMeaning meaning, Samples& samples) {
+    int passes = 1;
+    if (!attempt([&] { passes = passes_of(meaning); })) return false;
+    const std::size_t row_bytes = png_get_rowbytes(png_, info_);
+    samples.width = static_cast<int>(width()), samples.height = static_cast<int>(height());
+    samples.has_16_bits = png_get_bit_depth(png_, info_) == 16;
+    samples.bytes.resize(row_bytes * height());
+    return attempt([&] {
+      for (int pass = 0; pass < passes; ++pass)
+        for (std::uint32_t row = 0; row < height(); ++row)
+          png_read_row(png_, samples.bytes.data() + row * row_bytes, nullptr);
+    });
+  }
+  [[nodiscard]] const char* what_failed() const { return why_.data(); }
 
-Result<Bytes> decode_png(std::string_view bytes, const std::string& file, std::int64_t max_pixels) {
-  if (mixes_rows(bytes))
-    return no_texture(file, "this PNG has 16 bits a channel and is interlaced, which is not read",
-                      "save it again without interlacing, or with 8 bits");
-  png_image header{};
-  header.version = PNG_IMAGE_VERSION;
-  const std::unique_ptr<png_image, decltype(&png_image_free)> image(&header, png_image_free);
-  if (png_image_begin_read_from_memory(image.get(), bytes.data(), bytes.size()) == 0)
-    return damaged(file, image->message);
-  if (auto small = check_size(file, image->width, image->height, max_pixels); !small)
+ private:
+  /// False if `work` jumped. Never inlined, so that what its callers have in registers survives that.
+  template <class Work>
+  [[gnu::noinline]] bool attempt(const Work& work) {
+    if (setjmp(before_) != 0) return false;
+    work();
+    return true;
+  }
+  [[noreturn]] static void fail(png_structp png, png_const_charp message) {
+    auto& reader = *static_cast<PngReader*>(png_get_error_ptr(png));
+    reader.why_.back() = '\0';
+    std::strncpy(reader.why_.data(), message, reader.why_.size() - 1);
+    std::longjmp(reader.before_, 1);
+  }
+  static void ignore(png_structp /*png*/, png_const_charp /*warning*/) {}
+  static void give(png_structp png, png_bytep to, std::size_t size) {
+    std::string_view& rest = static_cast<PngReader*>(png_get_io_ptr(png))->rest_;
+    if (size > rest.size()) png_error(png, "read beyond end of data");
+    std::memcpy(to, rest.data(), size);
+    rest.remove_prefix(size);
+  }
+  /// Asks for red, green and blue; how often the rows are read for that.
+  [[nodiscard]] int passes_of(ByteMeaning meaning) {
+    png_set_expand(png_);
+    png_set_gray_to_rgb(png_);
+    png_set_strip_alpha(png_);
+    if (meaning == ByteMeaning::colour) {
+      png_set_alpha_mode(png_, PNG_ALPHA_PNG, PNG_DEFAULT_sRGB);  // also what is meant if the file says nothing
+      png_set_scale_16(png_);
+    }
+    const int passes = png_set_interlace_handling(png_);
+    png_read_update_info(png_, info_);
+    return passes;
+  }
+
+  std::string_view rest_;
+  std::array<char, 100> why_{"out of memory"};
+  std::jmp_buf before_;
+  png_structp png_;
+  png_infop info_ = nullptr;
+};
+
+Result<Samples> decode_png(std::string_view bytes, const std::string& file, ByteMeaning meaning,
+                           std::int64_t max_pixels) {
+  PngReader reader(bytes);
+  if (!reader.read_head()) return damaged(file, reader.what_failed());
+  if (auto small = check_size(file, reader.width(), reader.height(), max_pixels); !small)
     return tl::unexpected(small.error());
-  image->flags |= PNG_IMAGE_FLAG_16BIT_sRGB;  // 16 bits a channel mean what 8 mean, not linear light
-  image->format = PNG_FORMAT_RGBA;            // transparent pixels keep their colour
-  Bytes decoded{static_cast<int>(image->width), static_cast<int>(image->height), 4, {}};
-  decoded.bytes.resize(PNG_IMAGE_SIZE(*image));
-  if (png_image_finish_read(image.get(), nullptr, decoded.bytes.data(), 0, nullptr) == 0)
-    return damaged(file, image->message);
-  return decoded;
+  Samples samples;
+  if (!reader.read(meaning, samples)) return damaged(file, reader.what_failed());
+  return samples;
 }
 
-Result<Bytes> decode_jpeg(std::string_view bytes, const std::string& file, std::int64_t max_pixels) {
+Result<Samples> decode_jpeg(std::string_view bytes, const std::string& file, std::int64_t max_pixels) {
   const std::unique_ptr<void, decltype(&tjDestroy)> decoder(tjInitDecompress(), tjDestroy);
   const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
   const auto size = static_cast<unsigned long>(bytes.size());
-  Bytes decoded{0, 0, 3, {}};
+  Samples decoded;
   int subsampling = 0, colours = 0;
   if (!decoder ||
       tjDecompressHeader3(decoder.get(), data, size, &decoded.width, &decoded.height, &subsampling, &colours) != 0)
@@ -142,22 +176,28 @@ Result<Image> decode_png_or_jpeg(std::string_view bytes, const std::string& file
   if (!png && !jpeg)
     return no_texture(file_name, "this is not an image that can be read (expected a PNG or JPEG)",
                       "save it again as a PNG or a JPEG");
-  const std::string plain = png && meaning == ByteMeaning::number ? without_colour_space(bytes) : std::string();
-  if (!plain.empty())
-    if (auto numbers = numbers_of_16_bits(plain, max_pixels)) return std::move(*numbers);
-  const Result<Bytes> image = png ? decode_png(plain.empty() ? bytes : plain, file_name, max_pixels)
-                                  : decode_jpeg(bytes, file_name, max_pixels);
-  if (!image) return tl::unexpected(image.error());
+  const Result<Samples> samples =
+      png ? decode_png(bytes, file_name, meaning, max_pixels) : decode_jpeg(bytes, file_name, max_pixels);
+  if (!samples) return tl::unexpected(samples.error());
 
   std::array<float, 256> linear{};
   for (std::size_t i = 0; i < linear.size(); ++i)
     linear[i] = static_cast<float>(meaning == ByteMeaning::colour ? srgb_decode(static_cast<double>(i) / 255)
                                                                   : static_cast<double>(i) / 255);
-  Image picture{image->width, image->height, {}};
-  const auto step = static_cast<std::size_t>(image->channels);
-  picture.pixels.reserve(image->bytes.size() / step);
-  for (std::size_t i = 0; i < image->bytes.size(); i += step)
-    picture.pixels.emplace_back(linear[image->bytes[i]], linear[image->bytes[i + 1]], linear[image->bytes[i + 2]]);
+  const std::uint8_t* at = samples->bytes.data();
+  const auto next = [&] {
+    if (!samples->has_16_bits) return linear[*at++];
+    const int number = at[0] << 8 | at[1];
+    at += 2;
+    return static_cast<float>(number / 65535.0);
+  };
+  Image picture{samples->width, samples->height, {}};
+  const std::size_t pixels = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
+  picture.pixels.reserve(pixels);
+  for (std::size_t i = 0; i < pixels; ++i) {
+    const float red = next(), green = next(), blue = next();
+    picture.pixels.emplace_back(red, green, blue);
+  }
   return picture;
 }
 
