@@ -138,9 +138,18 @@ bool can_hold(std::size_t bytes, const Imf::Header& header) {
          std::int64_t{tile.xSize} * tile.ySize * pixel <= max_tile_bytes;
 }
 
-/// The channel that a picture without colours has its light in; empty if there is none.
+/// The channel that a picture without colours has its light in; empty if it has colours, or no such channel. One of
+/// red, green and blue without the others is one that a program wrote for grey (OpenImageIO calls it R): hardly anyone
+/// means that the two are black, and viewers show it grey.
 std::string grey_channel(const Imf::ChannelList& channels) {
   const auto has = [&](const char* name) { return channels.findChannel(name) != nullptr; };
+  std::string primary;
+  for (const char* name : {"R", "G", "B"})
+    if (has(name)) {
+      if (!primary.empty()) return "";
+      primary = name;
+    }
+  if (!primary.empty()) return primary;
   const bool has_colour = has("X") || has("RY") || has("BY");  // CIE XYZ, or differences from the luminance
   if (has("Y") && !has_colour) return "Y";
   const auto first = channels.begin();
@@ -192,9 +201,9 @@ Result<Image> decode_exr(std::string_view bytes, const std::string& file_name) {
     StringIn stream(bytes);
     Imf::InputFile file(stream, 0);
     const Imf::ChannelList& channels = file.header().channels();
-    const bool is_coloured = channels.findChannel("R") || channels.findChannel("G") || channels.findChannel("B");
     const std::string grey = grey_channel(channels);
-    if (!is_coloured && grey.empty())
+    const bool has_colours = channels.findChannel("R") || channels.findChannel("G") || channels.findChannel("B");
+    if (!has_colours && grey.empty())
       return tl::unexpected(Error{file_name, 0, 0,
                                   "the picture has the channels " + names_of(channels) + " (expected R, G and B, or Y)",
                                   "export the layer that is meant by itself, in red, green and blue"});
@@ -203,10 +212,14 @@ Result<Image> decode_exr(std::string_view bytes, const std::string& file_name) {
     Image image{width, height, {}};
     image.pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     Imf::FrameBuffer frame = channels_of(image, window);
-    if (!is_coloured) frame.insert(grey, frame["R"]);
+    if (!grey.empty()) {
+      const Imf::Slice first = frame["R"];
+      frame = Imf::FrameBuffer();
+      frame.insert(grey, first);
+    }
     file.setFrameBuffer(frame);
     file.readPixels(window.min.y, window.max.y);
-    if (!is_coloured)
+    if (!grey.empty())
       for (Rgb<float>& pixel : image.pixels) pixel = Rgb<float>(pixel.x);
     return image;
   } catch (const std::exception& error) {

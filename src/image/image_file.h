@@ -44,7 +44,8 @@ enum class ImageFormat { png, pfm, exr };
 [[nodiscard]] Result<Image> decode_pfm(std::string_view bytes, const std::string& file_name);
 [[nodiscard]] Result<Image> read_pfm(const std::string& path);
 
-/// Reads the red, green and blue of an OpenEXR file, where a missing channel is black, or its only channel as grey.
+/// Reads the red, green and blue of an OpenEXR file, where one that is missing is black. Grey is its luminance (Y), the
+/// only one of red, green and blue that it has, or else its only channel.
 [[nodiscard]] Result<Image> decode_exr(std::string_view bytes, const std::string& file_name);
 
 /// Reads a Radiance picture (.hdr), as radiance up to a factor: what its head says of exposure is left to the reader.
