@@ -23,7 +23,8 @@ std::uint32_t swap_bytes(std::uint32_t x) { return x << 24 | (x & 0xff00) << 8 |
 
 Result<Image> bad_pfm(const std::string& file, const std::string& what) {
   return tl::unexpected(
-      Error{file, 0, 0, what, "a colour PFM starts with PF, the width and height, and -1.0, then 12 bytes a pixel"});
+      Error{file, 0, 0, what,
+            "a PFM starts with PF, the width and height, and -1.0, then 12 bytes a pixel; a grey one with Pf has 4"});
 }
 
 /// The next word of a PFM's header; also skips the single blank after it.
@@ -146,7 +147,11 @@ Result<void> write_image(const std::string& path, const Image& image, Encoding e
 }
 
 Result<Image> decode_pfm(std::string_view bytes, const std::string& file_name) {
-  if (next_word(bytes) != "PF") return bad_pfm(file_name, "this is no colour PFM (expected it to start with \"PF\")");
+  const std::string_view kind = next_word(bytes);
+  if (kind != "PF" && kind != "Pf")
+    return bad_pfm(file_name, "this is no PFM (expected it to start with \"PF\", or \"Pf\" if grey)");
+  const int channels = kind == "PF" ? 3 : 1;
+  const std::size_t pixel_bytes = kind == "PF" ? 12 : 4;
   const auto whole = [](std::string_view word) {
     int number = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
@@ -154,23 +159,26 @@ Result<Image> decode_pfm(std::string_view bytes, const std::string& file_name) {
   };
   const int width = whole(next_word(bytes)), height = whole(next_word(bytes));
   if (width < 1 || height < 1) return bad_pfm(file_name, "the size is wrong (expected two whole numbers above 0)");
+  if (has_too_many_pixels({width, height}))
+    return bad_pfm(file_name, "the size is wrong (expected at most 2^28 pixels)");
   const std::string_view scale = next_word(bytes);
   if (scale.empty()) return bad_pfm(file_name, "the file ends too early (expected the byte order, such as -1.0)");
   const bool little = scale.front() == '-';
   const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  if (bytes.size() % 12 != 0 || bytes.size() / 12 != pixels)
-    return bad_pfm(file_name, "there are " + std::to_string(bytes.size()) +
-                                  " bytes of pixels (expected 12 for each of " + std::to_string(pixels) + " pixels)");
+  if (bytes.size() % pixel_bytes != 0 || bytes.size() / pixel_bytes != pixels)
+    return bad_pfm(file_name, "there are " + std::to_string(bytes.size()) + " bytes of pixels (expected " +
+                                  std::to_string(pixel_bytes) + " for each of " + std::to_string(pixels) + " pixels)");
   Image image{width, height, std::vector<Rgb<float>>(pixels)};
   for (int row = height - 1; row >= 0; --row) {
     for (int column = 0; column < width; ++column) {
-      for (int channel = 0; channel < 3; ++channel) {
+      for (int channel = 0; channel < channels; ++channel) {
         std::uint32_t bits = 0;
         std::memcpy(&bits, bytes.data(), 4);
         bytes.remove_prefix(4);
         if (little != (std::endian::native == std::endian::little)) bits = swap_bytes(bits);
         image.at(column, row)[channel] = std::bit_cast<float>(bits);
       }
+      if (channels == 1) image.at(column, row) = Rgb<float>(image.at(column, row).x);
     }
   }
   return image;
@@ -193,7 +201,7 @@ namespace {
 
 /// Of a format that holds linear floats, by its first bytes; null if it is none.
 auto decoder_of_floats(std::string_view bytes) -> Result<Image> (*)(std::string_view, const std::string&) {
-  if (bytes.starts_with("PF")) return decode_pfm;
+  if (bytes.starts_with("PF") || bytes.starts_with("Pf")) return decode_pfm;
   if (bytes.starts_with("\x76\x2f\x31\x01")) return decode_exr;
   if (bytes.starts_with("#?RADIANCE") || bytes.starts_with("#?RGBE")) return decode_hdr;
   return nullptr;

@@ -40,7 +40,7 @@ enum class ImageFormat { png, pfm, exr };
 /// Writes the format that the extension names, all or nothing. The encoding applies to 8-bit formats.
 [[nodiscard]] Result<void> write_image(const std::string& path, const Image& image, Encoding encoding = Encoding::srgb);
 
-/// Reads a colour PFM of either byte order.
+/// Reads a PFM of either byte order, in colours (PF) or grey (Pf).
 [[nodiscard]] Result<Image> decode_pfm(std::string_view bytes, const std::string& file_name);
 [[nodiscard]] Result<Image> read_pfm(const std::string& path);
 

@@ -259,6 +259,22 @@ TEST_CASE("a big-endian PFM reads the same") {
   CHECK(image->at(0, 0) == Rgb<float>(1, 0.5F, -2));
 }
 
+TEST_CASE("a grey PFM has one number a pixel") {
+  const std::string lower("\0\0\x80\x43\0\0\0\xc0", 8), upper("\0\0\x80\x3f\0\0\0\x3f", 8);
+  const std::string pfm = "Pf\n2 2\n-1.0\n" + lower + upper;
+  const auto image = decode_pfm(pfm, "grey.pfm");
+  REQUIRE(image);
+  CHECK(*image == Image{2, 2, {Rgb<float>(1), Rgb<float>(0.5F), Rgb<float>(256), Rgb<float>(-2)}});
+  const TemporaryFolder folder;
+  put(folder.file("grey.pfm"), pfm);
+  CHECK(read_image(folder.file("grey.pfm")).value() == *image);
+  CHECK(read_pfm(folder.file("grey.pfm")).value() == *image);
+  CHECK(decode_map(pfm, "grey.pfm", ByteMeaning::number).value() == *image);
+  const auto cut = decode_pfm(pfm.substr(0, pfm.size() - 1), "grey.pfm");
+  REQUIRE_FALSE(cut);
+  CHECK_THAT(cut.error().message, contains("15 bytes of pixels (expected 4 for each of 4 pixels)"));
+}
+
 TEST_CASE("a broken PFM is refused") {
   const std::string pixel(12, '\0');
   for (const std::string& bytes :
