@@ -95,11 +95,7 @@ std::optional<Search<T>> search_of(const RayQuery<T>& query, std::size_t triangl
 template <class T>
 Vec2<T> weights_where_met(const Triangle<T>& triangle, const Ray<T>& of) {
   const ShearedRay<T> ray(of);
-  const auto seen = [&](const Vec3<T>& corner) {
-    const double depth = static_cast<double>(corner[ray.kz]) - ray.from[2];
-    return Vec2d(static_cast<double>(corner[ray.kx]) - ray.from[0] - ray.x * depth,
-                 static_cast<double>(corner[ray.ky]) - ray.from[1] - ray.y * depth);
-  };
+  const auto seen = [&](const Vec3<T>& corner) { return plan(ray.sheared([&](int axis) { return corner[axis]; })); };
   const Vec2d a = seen(triangle.a), b = seen(triangle.b), c = seen(triangle.c);
   const std::array<double, 3> areas{cross(b, c), cross(c, a), cross(a, b)};
   const double turn = areas[0] + areas[1] + areas[2] < 0 ? -1 : 1;

@@ -151,7 +151,7 @@ Result<Image> decode_pfm(std::string_view bytes, const std::string& file_name) {
   if (kind != "PF" && kind != "Pf")
     return bad_pfm(file_name, "this is no PFM (expected it to start with \"PF\", or \"Pf\" if grey)");
   const int channels = kind == "PF" ? 3 : 1;
-  const std::size_t pixel_bytes = kind == "PF" ? 12 : 4;
+  const std::size_t pixel_bytes = sizeof(float) * static_cast<std::size_t>(channels);
   const auto whole = [](std::string_view word) {
     int number = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);

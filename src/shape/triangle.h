@@ -38,6 +38,15 @@ struct ShearedRay {
   std::array<double, 3> from{};      ///< the origin along the axes below
   int kx = 0, ky = 1, kz = 2;        ///< the axes that become x, y and z: z the largest component of the direction
   double x = 0, y = 0, inverse = 1;  ///< the shear, and 1 / direction[kz]
+
+  /// A corner, `coordinate(axis)`, in the ray's own frame: the ray is the z axis.
+  template <class Coordinate>
+  [[nodiscard, gnu::always_inline]] Vec3d sheared(const Coordinate& coordinate) const {
+    const double px = static_cast<double>(coordinate(kx)) - from[0];
+    const double py = static_cast<double>(coordinate(ky)) - from[1];
+    const double pz = static_cast<double>(coordinate(kz)) - from[2];
+    return {px - x * pz, py - y * pz, pz};
+  }
 };
 
 /// The same, bit for bit.
@@ -193,12 +202,7 @@ std::optional<Intersection<T>> intersect_corners(const Coordinate& coordinate, c
                                                  int departed_part, Explain&& explain) {
   constexpr bool explained = std::decay_t<Explain>::wanted;
   if (!explained && departed_part != no_part) return std::nullopt;  // a plane is crossed once
-  const auto sheared = [&](int corner) {
-    const double px = static_cast<double>(coordinate(corner, ray.kx)) - ray.from[0];
-    const double py = static_cast<double>(coordinate(corner, ray.ky)) - ray.from[1];
-    const double pz = static_cast<double>(coordinate(corner, ray.kz)) - ray.from[2];
-    return Vec3d(px - ray.x * pz, py - ray.y * pz, pz);
-  };
+  const auto sheared = [&](int corner) { return ray.sheared([&](int axis) { return coordinate(corner, axis); }); };
   const Vec3d a = sheared(0), b = sheared(1), c = sheared(2);
   // A sheared x or y errs by 5 half ulps of itself and of twice its z; the error of the edge functions follows from
   // that.

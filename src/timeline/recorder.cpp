@@ -32,8 +32,7 @@ Timeline record_in(const Scene& scene, ImageSize size, ImageSize whole, const Pi
     for (int column = block.column_begin; column < block.column_end; ++column)
       for (int sample = 0; sample < how.sampling.per_pixel; ++sample)
         statistics += kernel.watched(camera, {column, column + 1, row, row + 1, sample, 1, 1, how.stop}, recorder);
-  Timeline timeline = recorder.take(size);
-  timeline.set_statistics(statistics);
+  Timeline timeline = recorder.take(size, statistics);
   if (kernel.photons()) timeline.set_photons(kernel.photons()->shared_maps(), flat);
   if (kernel.radiosity()) timeline.set_patches(kernel.radiosity()->patches(), flat);
   if (kernel.has_flat_cones()) timeline.set_flat();
@@ -52,9 +51,7 @@ Timeline record_beams(const Scene& scene, ImageSize size, ImageSize whole, const
   PixelBlock pixels = block;
   pixels.stop = how.stop;
   const Statistics statistics = trace_beams_watched(*world, outlines, camera, pixels, recorder);
-  Timeline timeline = recorder.take(size);
-  timeline.set_statistics(statistics);
-  return timeline;
+  return recorder.take(size, statistics);
 }
 
 Timeline record(const Scene& scene, ImageSize size, ImageSize whole, const PixelBlock& block, const Recording& how) {

@@ -10,8 +10,13 @@ namespace raywalk {
 class Recorder : public Observer {
  public:
   void record(Event&& event) override { events_.push_back(std::move(event)); }
-  /// The timeline of the recorded events; `image`: the size of the image, one row high for the strip.
-  [[nodiscard]] Timeline take(ImageSize image) { return Timeline(std::move(events_), image); }
+  /// The timeline of the recorded events; `image`: the size of the image, one row high for the strip. `statistics`:
+  /// what was counted meanwhile.
+  [[nodiscard]] Timeline take(ImageSize image, const Statistics& statistics) {
+    Timeline timeline(std::move(events_), image);
+    timeline.set_statistics(statistics);
+    return timeline;
+  }
 
  private:
   std::vector<Event> events_;

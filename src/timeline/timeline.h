@@ -124,7 +124,6 @@ class Timeline {
   /// The position from which all of them are there.
   [[nodiscard]] int all_photons_at() const { return all_photons_at_; }
   /// What was counted when it was recorded. The rays that follow a beam's middle ray are among that, and not recorded.
-  [[nodiscard]] const Statistics& statistics() const { return statistics_; }
   void set_statistics(const Statistics& statistics) { statistics_ = statistics; }
   /// Whether a ray was not formed because of the limit of depth.
   [[nodiscard]] bool is_cut_off_by_depth() const { return statistics_.ends(Ending::depth) > 0; }
