@@ -202,14 +202,14 @@ std::vector<double> SceneReader::numbers_of(const toml::node& node, std::string_
   return numbers;
 }
 
-bool SceneReader::is_direction(const toml::node& node, std::string_view key, const Vec3d& value) {
-  const double least = 1 / schema::max_magnitude, size = length(value);
-  if (size >= least) return true;
-  fail(node, key,
-       value == Vec3d(0.0) ? "found a direction of length 0 (expected any other length)"
-                           : fmt::format("found a direction of length {:g} (expected at least {:g})", size, least),
-       "only where it points matters, so [0, 0, 1] and [0, 0, 5] are the same");
-  return false;
+bool SceneReader::to_direction(const toml::node& node, std::string_view key, Vec3d& value) {
+  const std::optional<Vec3d> usable = schema::usable_direction(value);
+  if (usable)
+    value = *usable;
+  else
+    fail(node, key, "found a direction of length 0 (expected any other length)",
+         "only where it points matters, so [0, 0, 1] and [0, 0, 5] are the same");
+  return usable.has_value();
 }
 
 const toml::array* SceneReader::rows_of(const toml::node& node, std::string_view key, const schema::Rows& kind) {

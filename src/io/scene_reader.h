@@ -130,7 +130,7 @@ class SceneReader {
   /// The numbers of a tuple, at most `count`; fewer only if the kind allows it. Empty after an error.
   std::vector<double> numbers_of(const toml::node& node, std::string_view key, const schema::Tuple& kind,
                                  std::size_t count);
-  bool is_direction(const toml::node& node, std::string_view key, const Vec3d& value);
+  bool to_direction(const toml::node& node, std::string_view key, Vec3d& value);
   /// The list of a key of Rows; null after an error.
   const toml::array* rows_of(const toml::node& node, std::string_view key, const schema::Rows& kind);
   bool step_of(const toml::node& node, std::string_view key, TransformStep& value);
@@ -200,7 +200,7 @@ bool SceneReader::read(const toml::node& node, std::string_view key, const schem
   if (numbers.empty()) return false;
   schema::each_number(given, [&](double& number) { number = next < numbers.size() ? numbers[next++] : 0.0; });
   if constexpr (std::is_same_v<T, Vec3d>)
-    if (kind.is_direction && !is_direction(node, key, given)) return false;
+    if (kind.is_direction && !to_direction(node, key, given)) return false;
   value = given;
   return true;
 }

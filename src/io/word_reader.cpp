@@ -160,10 +160,11 @@ Vec3d WordReader::point(std::string_view what) {
 
 Vec3d WordReader::direction(std::string_view what) {
   const Vec3d v = point(what);
-  if (!error_ && !(length(v) >= 1 / schema::max_magnitude))
+  const std::optional<Vec3d> usable = schema::usable_direction(v);
+  if (!error_ && !usable)
     fail(fmt::format("{} of {}: the direction has length 0 (expected any other)", what, item_),
          "at least one of its three numbers is not 0");
-  return v;
+  return usable.value_or(v);
 }
 
 Rgbd WordReader::colour(std::string_view what, const schema::Number& rule) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 
 namespace raywalk::schema {
 
@@ -15,6 +16,15 @@ std::optional<Refusal> Number::refusal(double value) const {
   if (low == 0 && above_low && value < least)
     return Refusal{fmt::format("at least {:g}", least), "choose another unit of length"};
   return std::nullopt;
+}
+
+std::optional<Vec3d> usable_direction(const Vec3d& given) {
+  const Vec3d sizes = absolute(given);
+  const double largest = std::fmax(sizes.x, std::fmax(sizes.y, sizes.z));
+  if (!(largest > 0)) return std::nullopt;
+  if (length(given) >= 1 / max_magnitude) return given;
+  const int exponent = std::ilogb(largest);
+  return Vec3d(std::scalbn(given.x, -exponent), std::scalbn(given.y, -exponent), std::scalbn(given.z, -exponent));
 }
 
 std::string Whole::expected() const { return fmt::format("a whole number from {} to {}", low, high); }

@@ -233,6 +233,9 @@ struct Tuple {
   bool is_direction = false;  ///< not of length 0; the last number may be omitted in input, but is always written
   [[nodiscard]] std::string expected() const { return std::string(words); }
 };
+/// What a key of a direction holds: `given` as it is, unless its square would come too close to 0: then scaled by a
+/// power of two to a length of about 1, which is exact. Nothing if its length is 0.
+[[nodiscard]] std::optional<Vec3d> usable_direction(const Vec3d& given);
 /// Linear RGB, each number at least 0.
 struct Colour : Tuple {};
 inline constexpr std::string_view point_words = "[x, y] in the plan or [x, y, z]",

@@ -127,7 +127,12 @@ class Describer {
     count = 0;
     schema::each_number(value, [&](double& number) { number = all[count++]; });
     if constexpr (std::is_same_v<T, Vec3d>)
-      if (kind.is_direction && length(value) < 1 / schema::max_magnitude) breaks("expected " + kind.expected(), {});
+      if (kind.is_direction) {
+        if (const auto usable = schema::usable_direction(value))
+          value = *usable;
+        else
+          breaks("expected " + kind.expected(), {});
+      }
     return true;
   }
   template <class T>
