@@ -20,7 +20,8 @@ write_keys() {
     echo '## Every key'
     echo
     echo 'What `raywalk info --keys` prints; `raywalk info --keys sphere` prints those of one table or type. Every number is'
-    echo 'finite and at most 1e15. A misspelt key is refused, with its line and the key that was most likely meant.'
+    echo 'finite and at most 1e15; what must be above 0 is at least 1e-15. A misspelt key is refused, with its line and the key'
+    echo 'that was most likely meant.'
     echo 'An object with a transform is measured before it, with its checkers and images: doubled in size, it has squares of twice'
     echo 'their size.'
     echo

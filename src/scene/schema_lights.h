@@ -89,14 +89,15 @@ template <class Fields>
 void describe(Fields& f, GradientSky& sky) {
   f.about("A sky that fades from the horizon to the zenith.");
   f.key("horizon", sky.horizon, light_colour, "Its colour and brightness at the horizon.");
-  f.key("zenith", sky.zenith, light_colour, "Its colour and brightness straight up.");
+  f.key("zenith", sky.zenith, light_colour,
+        "Its colour and brightness straight up. Horizon and zenith are not both 0.");
   shines(f, "zenith", !is_black(sky.horizon) || !is_black(sky.zenith));
 }
 
 template <class Fields>
 void describe(Fields& f, OvercastSky& sky) {
   f.about("A sky covered with clouds, three times as bright overhead as at the horizon (CIE).");
-  f.key("zenith", sky.zenith, light_colour, "Its colour and brightness straight up.");
+  f.key("zenith", sky.zenith, light_colour, "Its colour and brightness straight up; not 0.");
   shines(f, "zenith", !is_black(sky.zenith));
 }
 
@@ -106,7 +107,8 @@ void describe(Fields& f, ClearSky& sky) {
   f.key("elevation", sky.elevation, sun_elevation, "How high the sun stands; it is in the middle of the sky.");
   f.key("turbidity", sky.turbidity, turbidity, "How hazy the air is: 2 is very clear, 6 a moist day, 10 hazy.");
   f.key("albedo", sky.albedo, albedo, "The share of light that the ground sends back into the air.");
-  f.key("strength", sky.strength, light_colour, "Multiplies all of it; 1 is in units of 683 candela a square metre.");
+  f.key("strength", sky.strength, light_colour,
+        "Multiplies all of it, and is not 0; 1 is in units of 683 candela a square metre.");
   shines(f, "strength", !is_black(sky.strength));
 }
 
@@ -115,7 +117,7 @@ void describe(Fields& f, ImageSky& sky) {
   f.about("A picture of all directions: its columns are longitudes, its rows latitudes, the zenith at the top.");
   f.required("file", sky.file, sky_file_name,
              "A .hdr, .exr, .pfm or .png, twice as wide as high, looked for from the folder of the scene.");
-  f.key("strength", sky.strength, light_colour, "Multiplies all of it.");
+  f.key("strength", sky.strength, light_colour, "Multiplies all of it, and is not 0.");
   shines(f, "strength", !is_black(sky.strength));
 }
 

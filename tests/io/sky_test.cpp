@@ -6,6 +6,7 @@
 
 #include "bad_scene.h"
 #include "image/image_file.h"
+#include "io/key_reference.h"
 #include "io/scene_file.h"
 #include "io/scene_patch.h"
 #include "support/catch.h"
@@ -68,6 +69,17 @@ TEST_CASE("bad skies are refused at the place of their fault") {
       {"round and round", with_sky("type = \"clear\"\nrotation = 400\n"), 7, 12, "-360 to 360", "left"},
       {"a word", "sky = \"blue\"\n" + raywalk::test::camera, 1, 7, "a table", ""}};
   for (const BadScene& bad : scenes) check_refused(bad);
+}
+
+TEST_CASE("the reference says that no sky is wholly black") {
+  int count = 0;
+  for (const KeyTable& table : key_tables()) {
+    if (!table.heading.starts_with("[sky] of type")) continue;
+    INFO(table.heading);
+    CHECK_THAT(table.keys.back().sentence, contains("not 0") || contains("not both 0"));
+    ++count;
+  }
+  CHECK(count == 4);
 }
 
 TEST_CASE("the picture of a sky is found from the scene's folder, in every format") {
