@@ -86,7 +86,9 @@ template <class Fields>
 void describe(Fields& f, Polygon<double>& polygon) {
   f.about("A polygon without thickness, anywhere in space.");
   f.required("corners", polygon.outline, corners, "Once around, all in one plane.");
-  f.key("holes", polygon.holes, holes, "Each a list of corners in the same plane.");
+  f.key("holes", polygon.holes, holes,
+        "Each a list of corners in the same plane. By the even-odd rule a point is solid if an odd number of outline "
+        "and holes enclose it: a hole within a hole is an island, and what reaches out of the outline is solid.");
   f.check(
       "corners", [&] { return why_not_flat(polygon); },
       "a flat polygon has an area, and all its corners lie in one plane");

@@ -438,8 +438,8 @@ TEST_CASE("the reference says of a key what it takes and what it is when left ou
   for (const char* part :
        {"[[object]] of type \"sphere\"\n", "an angle in degrees above 0 and below 180; may be left out",
         "in scene units; must be given", "a number above 0; 1.5 when left out",
-        "a number above 0, in scene units; 1 when left out", "\"opaque\" or \"filtered\"; \"opaque\" when left out",
-        "[\"rotate\", x, y, z, degrees]\n"})
+        "a number above 0, in scene units; 1 when left out", "a hole within a hole is an island",
+        "\"opaque\" or \"filtered\"; \"opaque\" when left out", "[\"rotate\", x, y, z, degrees]\n"})
     CHECK_THAT(text, contains(part));
   const std::regex long_line("\n[^\n]{101,}");
   CHECK(!std::regex_search(text, long_line));

@@ -118,6 +118,26 @@ TEST_CASE("a polygon may be concave and have holes", "[shape]") {
   CHECK(surface_at(u, Ray<double>{{0.1, 0.1, 5}, {0, 0, -2}}, *hit).normal == Vec3d(0, 0, 1));
 }
 
+TEST_CASE("a polygon is solid where an odd number of outline and holes go around a point", "[shape]") {
+  const auto square = [](double low, double high) {
+    return std::vector<Vec3d>{{low, low, 0}, {high, low, 0}, {high, high, 0}, {low, high, 0}};
+  };
+  const auto hits = [](const Polygon<double>& polygon, double x, double y) {
+    return intersect(polygon, Ray<double>{{x, y, 5}, {0, 0, -1}}, infinity<double>).has_value();
+  };
+  const Polygon<double> island{square(0, 9), {square(2, 7), square(4, 5)}};
+  CHECK(hits(island, 1, 1.5));
+  CHECK_FALSE(hits(island, 3, 3.5));
+  CHECK(hits(island, 4.5, 4.25));
+  const Polygon<double> outside{square(0, 1), {square(2, 3)}};
+  CHECK(hits(outside, 2.75, 2.25));
+  CHECK_FALSE(hits(outside, 1.5, 1.25));
+  const Polygon<double> overlapping{square(0, 9), {square(1, 5), square(3, 7)}};
+  CHECK_FALSE(hits(overlapping, 2, 1.5));
+  CHECK(hits(overlapping, 4, 3.5));
+  CHECK_FALSE(hits(overlapping, 6, 6.5));
+}
+
 TEST_CASE("a disk ends at its rim", "[shape]") {
   const Disk<double> disk{{1, 2, 3}, {0, 0, -4}, 2};
   CHECK(intersect(disk, Ray<double>{{1, 2, 0}, {0, 0, 1}}, infinity<double>)->t == 3);
