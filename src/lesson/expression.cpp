@@ -124,7 +124,7 @@ bool is_mathematics(const std::string& name) {
                      [&](const NumberFunction& function) { return function.name == name; });
 }
 
-/// `point.x`, `total.r`: a component of the value of the name before the last dot.
+/// `point.x`, `total.r`, `(a - b).x`: a component of the value before the last dot.
 Outcome component(const Value& value, std::string_view name) {
   if (is_nothing(value)) return Nothing{};
   const Vec3d* vector = std::get_if<Vec3d>(&value);
@@ -154,6 +154,10 @@ Outcome Expression::evaluate(const Scope& scope) const {
       return node.value;
     case Kind::name:
       return lookup(node.word, scope);
+    case Kind::component: {
+      const Outcome whole = node.parts[0].evaluate(scope);
+      return whole ? component(*whole, node.word) : whole;
+    }
     case Kind::call: {
       if (!is_mathematics(node.word)) return scope.call(node.word, node.parts);
       std::vector<Value> values;

@@ -7,7 +7,8 @@
 //   count(formed and kind == "shadow") == 3
 //
 // From lowest to highest precedence: or; and; not; == != < <= > >= (== and != with a tolerance after +-); + -; * /; ^;
-// unary minus. Strings are in either kind of quotes. Angles are in degrees.
+// unary minus; a component such as .x or .r, of a name or behind a bracket. Strings are in either kind of quotes.
+// Angles are in degrees.
 
 #include "lesson/value.h"
 

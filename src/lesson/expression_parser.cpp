@@ -147,8 +147,9 @@ ExpressionParser::Parsed ExpressionParser::single() {
   const char c = text_[at_];
   if (take("(")) {
     auto inner = either();
-    if (inner && !take(")")) return fail("a closing bracket");
-    return inner;
+    if (!inner) return inner;
+    if (!take(")")) return fail("a closing bracket");
+    return component_of(*inner);
   }
   if (take("-")) {
     if (++nesting_ > max_nesting) return fail("fewer signs");
@@ -187,14 +188,24 @@ ExpressionParser::Parsed ExpressionParser::named() {
   if (word == "true" || word == "false") return make({.value = word == "true"});
   if (!take("(")) return make({.kind = Kind::name, .word = word});
   Expression::Node call{.kind = Kind::call, .word = word};
-  if (take(")")) return make(std::move(call));
+  if (take(")")) return component_of(make(std::move(call)));
   do {
     auto argument = either();
     if (!argument) return argument;
     call.parts.push_back(*argument);
   } while (take(","));
   if (!take(")")) return fail("a comma or a closing bracket");
-  return make(std::move(call));
+  return component_of(make(std::move(call)));
+}
+
+/// What stands right behind a closing bracket, such as `.x`; a name has its own within it.
+ExpressionParser::Parsed ExpressionParser::component_of(Expression whole) {
+  const std::string_view rest = text_.substr(at_);
+  const bool is_one = rest.size() > 1 && rest[0] == '.' && std::string_view("xyzrgb").find(rest[1]) < 6 &&
+                      (rest.size() == 2 || (!is_letter(rest[2]) && !is_digit(rest[2]) && rest[2] != '.'));
+  if (!is_one) return whole;
+  at_ += 2;
+  return make({.kind = Kind::component, .word = std::string(1, rest[1]), .parts = {std::move(whole)}});
 }
 
 }  // namespace raywalk

@@ -9,10 +9,25 @@
 namespace raywalk {
 
 struct Expression::Node {
-  enum class Kind { value, name, call, negative, not_, and_, or_, add, subtract, multiply, divide, power, compare };
+  enum class Kind {
+    value,
+    name,
+    call,
+    component,
+    negative,
+    not_,
+    and_,
+    or_,
+    add,
+    subtract,
+    multiply,
+    divide,
+    power,
+    compare
+  };
   Kind kind = Kind::value;
   Value value{};                       ///< of a literal
-  std::string word{};                  ///< a name, a function, a comparison operator
+  std::string word{};                  ///< a name, a function, a component, a comparison operator
   std::vector<Expression> parts{};     ///< arguments or sides
   std::optional<Expression> within{};  ///< a comparison's tolerance
 };
@@ -35,6 +50,7 @@ class ExpressionParser {
   [[nodiscard]] Parsed power();
   [[nodiscard]] Parsed single();
   [[nodiscard]] Parsed named();
+  [[nodiscard]] Parsed component_of(Expression whole);
   [[nodiscard]] Parsed number();
   [[nodiscard]] Parsed quoted(char quote);
 

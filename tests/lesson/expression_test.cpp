@@ -73,6 +73,11 @@ TEST_CASE("nothing is equal to nothing, and fulfils no condition") {
 TEST_CASE("formulas know geometry, in degrees") {
   CHECK(value_of("length(v)") == "3");
   CHECK(value_of("v.y + v.g") == "4");
+  CHECK(value_of("vector(1, 2, 3).y") == "2");
+  CHECK(value_of("(v + v).x * 2 + (v - 3 * v).b ^ 2") == "20");
+  CHECK(value_of("-(v).g") == "-2");
+  CHECK(value_of("twice(x).x") == "wrong: a number has no component x");
+  CHECK(value_of("(none).x") == "nothing");
   CHECK(value_of("brightest(v)") == "2");
   CHECK(value_of("angle(vector(1,0,0), vector(0,2,0))") == "90");
   CHECK(value_of("asin(1 / 2)") == "30");
@@ -86,6 +91,9 @@ TEST_CASE("what is no formula is refused at its place") {
   CHECK(value_of("1 +") == "unread: \"1 +\": found the end at character 4 (expected a number, a name or a bracket)");
   CHECK(value_of("(1") == "unread: \"(1\": found the end at character 3 (expected a closing bracket)");
   CHECK(value_of("1 2") == "unread: \"1 2\": found \"2\" at character 3 (expected the end, or a sign such as + or ==)");
+  CHECK_THAT(value_of("(v).q"), test::contains("unread: \"(v).q\": found \".q\" at character 4"));
+  CHECK(value_of("(v).x.y").starts_with("unread: "));
+  CHECK(value_of("(v).x1").starts_with("unread: "));
   CHECK(value_of("'Ball") == "unread: \"'Ball\": found \"'Ball\" at character 1 (expected a closing quote)");
   CHECK(value_of(std::string(5000, '(')).starts_with("unread: "));
   CHECK(value_of(std::string(5000, '-') + "1").starts_with("unread: "));
