@@ -95,6 +95,8 @@ class Documenter {
   template <class... Rule>
   void check(const Rule&... /*rule*/) {}
   template <class T>
+  void left_out(std::string_view /*name*/, const T& /*value*/, const T& /*usual*/) {}
+  template <class T>
   void complete(const T& /*value*/) {}
 
   /// The table of a default T, then those of its types, then those within it.

@@ -67,7 +67,7 @@ class Merger {
     const auto is_stated = [&](const Value& child) { return node.find(child.key) != nullptr; };
     const auto is_new = [&](const Value& child) {
       const Value* before = old.find(child.key);
-      return !is_stated(child) && (before == nullptr || !(*before == child));
+      return !is_stated(child) && (before == nullptr || !(*before == child) || before->must_now_be_stated(child));
     };
     const auto is_gone = [&](const Value& child) { return is_stated(child) && now.find(child.key) == nullptr; };
     const bool changes_keys = std::any_of(now.children.begin(), now.children.end(), is_new) ||

@@ -114,7 +114,7 @@ Json changes(const Value& from, const Value& to) {
   Json result = Json::object();
   for (const Value& child : to.children) {
     const Value* old = from.find(child.key);
-    if (old != nullptr && *old != child)
+    if (old != nullptr && (*old != child || old->must_now_be_stated(child)))
       result[child.key] = changes(*old, child);
     else if (old == nullptr && !child.is_default)
       result[child.key] = json_of(child);

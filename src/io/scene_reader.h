@@ -77,6 +77,10 @@ class SceneReader {
     if (!table_.contains(name)) missing_.push_back(name);
     key(name, value, kind, sentence);
   }
+  template <class T>
+  void left_out(std::string_view name, T& value, const T& usual) {
+    if (!table_.contains(name)) value = usual;
+  }
   template <class... Kinds>
   void type(std::variant<Kinds...>& value, std::string_view sentence);
   template <class T>

@@ -42,6 +42,10 @@ class Lister {
   void required(std::string_view name, T& value, const ValueKind& kind, std::string_view /*sentence*/ = {}) {
     add(name, tree(kind, value), false);
   }
+  template <class T>
+  void left_out(std::string_view name, const T& value, const T& usual) {
+    depending_.emplace_back(name, value == usual);
+  }
   template <class... Kinds>
   void type(std::variant<Kinds...>& value, std::string_view /*sentence*/) {
     std::visit(
@@ -82,6 +86,8 @@ class Lister {
                                         [](const Value& child) { return child.is_default; });
       else
         member.is_default = member.is_default && (usual == nullptr || *usual == member);
+      for (const auto& [key, is_usual] : lister.depending_)
+        if (member.key == key) member.is_default = is_usual;
     }
     std::erase_if(members, is_absent);
     return std::move(lister.table_);
@@ -100,6 +106,7 @@ class Lister {
   }
 
   Value table_{.kind = Kind::table};
+  std::vector<std::pair<std::string_view, bool>> depending_;  ///< keys whose default depends on others, if they have it
 };
 
 std::string list_text(const Value& list) {

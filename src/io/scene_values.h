@@ -27,6 +27,9 @@ struct Value {
   Shorthand shorthand = Shorthand::none;
   bool is_default = false;  ///< may be omitted
 
+  /// Whether what could be omitted before cannot be now, though it is the same: another key has changed.
+  [[nodiscard]] bool must_now_be_stated(const Value& now) const { return is_default && !now.is_default; }
+
   friend bool operator==(const Value& a, const Value& b) {
     return a.key == b.key && a.kind == b.kind && a.text == b.text && a.children == b.children;
   }

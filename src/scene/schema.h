@@ -7,6 +7,7 @@
 //   about(sentence)                         what it is; first of all
 //   key(name, member, kind, sentence)       a key that may be left out; tables bring their sentence with them
 //   required(name, member, kind, sentence)  one that may not
+//   left_out(name, member, value)           what it is where it is left out, if that depends on keys before it
 //   type(variant, sentence)                 the key `type`, which says what further keys there are
 //   together(optional)                      members that stand in this very table, all or none of them
 //   check(name, holds, message, hint)       a rule over several members, told at this key when it is broken

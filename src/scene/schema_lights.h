@@ -3,6 +3,7 @@
 
 #include "scene/schema_kinds.h"
 
+#include <algorithm>
 #include <string_view>
 
 namespace raywalk::schema {
@@ -44,10 +45,11 @@ void describe(Fields& f, SpotLight& light) {
           "look_at is a point in the middle of its light");
   f.key("angle", light.angle, cone_angle, "Across the whole cone.");
   f.key("inner_angle", light.inner_angle, inner_cone_angle,
-        "Across what is lit in full; from there to `angle` the light fades.");
+        "Across what is lit in full; from there to `angle` the light fades. Left out, it is `angle` where that is "
+        "below 40.");
+  f.left_out("inner_angle", light.inner_angle, std::min(SpotLight{}.inner_angle, light.angle));
   f.check("inner_angle", light.inner_angle <= light.angle,
-          "the inner angle is wider than the angle (expected at most the angle)",
-          "give both when you make the cone narrower than 40 degrees");
+          "the inner angle is wider than the angle (expected at most the angle)", "make it narrower, or leave it out");
   attenuation(f, light.attenuation);
 }
 

@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "io/scene_file.h"
+#include "io/scene_patch.h"
 #include "io/scene_values.h"
 #include "random_scene.h"
 #include "support/catch.h"
@@ -117,6 +118,27 @@ TEST_CASE("keys that were not there are added where they belong") {
   CHECK(edited(camera + "# end\n", [](Scene& s) { s.camera.up = {0, 0.5, 1}; }) ==
         "[camera]\neye = [0, 0]\nlook_at = [1, 0]\nup = [0, 0.5, 1]\nfov = 45\n# end\n");
   CHECK(edited(camera, [](Scene& s) { s.limits.depth = 9; }) == camera + "\n[limits]\ndepth = 9\n");
+}
+
+TEST_CASE("the inner angle that a narrow spot leaves out is stated once its angle no longer tells it") {
+  const std::string before = camera + "[[light]]\nname = \"L\"\ntype = \"spot\"\nposition = [0, 3]\nlook_at = [0, 0]\n",
+                    text = before + "angle = 30 # narrow\n";
+  const auto spot = [](Scene& s) -> SpotLight& { return std::get<SpotLight>(s.lights.at(0).kind); };
+  CHECK(edited(text, [&](Scene& s) { CHECK(spot(s).inner_angle == 30); }) == text);
+  CHECK(edited(text, [](Scene& s) { s.lights[0].strength = Rgbd(2); }) == text + "strength = 2\n");
+  CHECK(edited(text, [&](Scene& s) { spot(s).angle = 50; }) == before + "angle = 50 # narrow\ninner_angle = 30\n");
+  CHECK(edited(text, [&](Scene& s) { spot(s).inner_angle = 10; }) == text + "inner_angle = 10\n");
+  CHECK(edited(text, [&](Scene& s) { spot(s).angle = spot(s).inner_angle = 20; }) ==
+        before + "angle = 20 # narrow\ninner_angle = 20\n");
+
+  auto document = parse_scene(text, "a.toml");
+  REQUIRE(document);
+  CHECK_THAT(*format_scene(document->scene), contains("angle = 30\n") && !contains("inner_angle"));
+  Scene wider = document->scene;
+  spot(wider).angle = 50;
+  const auto opened = patched_scene(*document, scene_patch(document->scene, wider));
+  REQUIRE(opened);
+  CHECK(opened->scene == wider);
 }
 
 TEST_CASE("materials written in every way are edited in that way") {

@@ -228,6 +228,8 @@ class Changer {
   template <class... Rule>
   void check(const Rule&... /*rule*/) {}
   template <class T>
+  void left_out(std::string_view /*name*/, const T& /*value*/, const T& /*usual*/) {}
+  template <class T>
   void complete(const T& /*value*/) {}
 
  private:

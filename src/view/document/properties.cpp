@@ -102,6 +102,8 @@ class Describer {
     if (const std::string message(why()); !message.empty()) breaks(message, hint);
   }
   template <class T>
+  void left_out(std::string_view /*name*/, const T& /*value*/, const T& /*usual*/) {}
+  template <class T>
   void complete(const T& /*value*/) {}
 
  private:
