@@ -96,6 +96,7 @@ class Documenter {
   void check(const Rule&... /*rule*/) {}
   template <class T>
   void left_out(std::string_view /*name*/, const T& /*value*/, const T& /*usual*/) {}
+  void without(std::string_view /*name*/, std::string_view /*message*/, std::string_view /*hint*/) {}
   template <class T>
   void complete(const T& /*value*/) {}
 

@@ -81,6 +81,9 @@ class SceneReader {
   void left_out(std::string_view name, T& value, const T& usual) {
     if (!table_.contains(name)) value = usual;
   }
+  void without(std::string_view name, std::string_view message, std::string_view hint) {
+    if (const toml::node* node = table_.get(name)) fail(*node, name, std::string(message), std::string(hint));
+  }
   template <class... Kinds>
   void type(std::variant<Kinds...>& value, std::string_view sentence);
   template <class T>

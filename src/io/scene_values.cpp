@@ -61,6 +61,7 @@ class Lister {
   }
   template <class... Rule>
   void check(const Rule&... /*rule*/) {}
+  void without(std::string_view /*name*/, std::string_view /*message*/, std::string_view /*hint*/) {}
   template <class T>
   void complete(const T& /*value*/) {}
 

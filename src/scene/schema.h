@@ -8,6 +8,7 @@
 //   key(name, member, kind, sentence)       a key that may be left out; tables bring their sentence with them
 //   required(name, member, kind, sentence)  one that may not
 //   left_out(name, member, value)           what it is where it is left out, if that depends on keys before it
+//   without(name, message, hint)            one that others have and this one has not, told where it is given
 //   type(variant, sentence)                 the key `type`, which says what further keys there are
 //   together(optional)                      members that stand in this very table, all or none of them
 //   check(name, holds, message, hint)       a rule over several members, told at this key when it is broken
@@ -36,10 +37,10 @@ void describe(Fields& f, Object& object) {
         "How it is moved, turned and stretched; the first step is done first.");
   f.key("motion", object.motion, motion_keys,
         "Where it is at a time, seen from where it stands; it moves straight from key to key.");
+  if (std::holds_alternative<Instance>(object.shape))
+    return f.without("material", "an instance has the materials of the objects in its group (expected none of its own)",
+                     "give the material to the objects of [[group]]");
   f.key("material", object.material, table);
-  f.check("material", !std::holds_alternative<Instance>(object.shape) || object.material == Material{},
-          "an instance has the materials of the objects in its group (expected none of its own)",
-          "give the material to the objects of [[group]]");
   f.check(
       "material", [&] { return why_no_walk_inside(object); },
       "light is scattered inside of what transmits: leave scattering out, or take a closed, bounded shape");

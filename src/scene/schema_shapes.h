@@ -122,7 +122,7 @@ void describe(Fields& f, MeshShape& mesh) {
 
 template <class Fields>
 void describe(Fields& f, Instance& instance) {
-  f.about("A group of objects once more.");
+  f.about("A group of objects once more, in the materials that these have: it has no key `material`.");
   f.required("group", instance, group_name, "The name of a [[group]]; inside of a group, of one that stands above.");
 }
 

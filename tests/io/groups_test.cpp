@@ -151,6 +151,8 @@ TEST_CASE("what breaks a rule of groups, meshes and motion is refused") {
        "no group \"a\" above", "[[group.object]]"},
       {"an instance with a material", camera + group + instance + "group = \"tree\"\nmaterial = { diffuse = 1 }\n", 16,
        0, "has the materials of the objects in its group", "[[group]]"},
+      {"a misspelt key of an instance", camera + group + instance + "group = \"tree\"\ntransfrom = []\n", 16, 1,
+       "(expected name, type, group, transform or motion)", "\"transform\"?"},
       {"two of one name",
        camera + group + "[[object]]\nname = \"tree\"\ntype = \"sphere\"\ncentre = [0, 0]\nradius = 1\n", 13, 8,
        "\"tree\" is already used in line 6", "different name"},

@@ -229,6 +229,7 @@ class Changer {
   void check(const Rule&... /*rule*/) {}
   template <class T>
   void left_out(std::string_view /*name*/, const T& /*value*/, const T& /*usual*/) {}
+  void without(std::string_view /*name*/, std::string_view /*message*/, std::string_view /*hint*/) {}
   template <class T>
   void complete(const T& /*value*/) {}
 
@@ -326,7 +327,6 @@ Changer change(schema::SceneFile& file, int wanted, Changer::To to) {
   for (Object& object : scene.objects)
     if (auto* instance = std::get_if<Instance>(&object.shape)) {
       if (instance->group == tree) instance->group = scene.groups.front().name;
-      object.material = {};
     }
   return changer;
 }
