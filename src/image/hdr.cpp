@@ -1,7 +1,9 @@
 // Radiance's pictures: a mantissa for each of red, green and blue and one exponent for all, run-length coded (G. Ward,
 // "Real Pixels", Graphics Gems II, 1991; the format is that of Radiance's file formats by the same author).
 #include "image/image_file.h"
+#include "text/toml_text.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -42,13 +44,14 @@ struct Rgbe {
   std::uint8_t mantissas[3], exponent;
 };
 
-Rgb<float> colour_of(const Rgbe& pixel) {
+/// Radiance of a pixel that was multiplied by `factors`.
+Rgb<float> colour_of(const Rgbe& pixel, const Rgbd& factors) {
   if (pixel.exponent == 0) return Rgb<float>(0);
   constexpr int bias = 128 + 8;  // of the exponent, and the bits of a mantissa
-  const auto channel = [&](std::uint8_t mantissa) {
-    return static_cast<float>(std::ldexp(static_cast<double>(mantissa), pixel.exponent - bias));
+  const auto channel = [&](int i) {
+    return static_cast<float>(std::ldexp(static_cast<double>(pixel.mantissas[i]), pixel.exponent - bias) / factors[i]);
   };
-  return {channel(pixel.mantissas[0]), channel(pixel.mantissas[1]), channel(pixel.mantissas[2])};
+  return {channel(0), channel(1), channel(2)};
 }
 
 /// Each channel of the row by itself, in runs of one byte and in stretches of several.
@@ -93,6 +96,26 @@ bool read_pixels(HdrBytes& bytes, std::vector<Rgbe>& row) {
   return true;
 }
 
+/// Multiplies `factors` by what a line of the head says that the pixels were multiplied by: "EXPOSURE=NUMBER" all
+/// alike, "COLORCORR=RED GREEN BLUE" by channel. There may be several of both. False if it is not above 0.
+bool multiply_by(std::string_view line, Rgbd& factors) {
+  const bool by_channel = line.starts_with("COLORCORR=");
+  if (!by_channel && !line.starts_with("EXPOSURE=")) return true;
+  std::string_view rest = line.substr(line.find('=') + 1);
+  const auto next = [&] {
+    rest.remove_prefix(std::min(rest.find_first_not_of(" \t"), rest.size()));
+    const std::string_view word = rest.substr(0, rest.find_first_of(" \t"));
+    rest.remove_prefix(word.size());
+    return toml_text::read_number(word).value_or(0);
+  };
+  Rgbd by(0.0);
+  for (int i = 0; i < 3; ++i) by[i] = by_channel || i == 0 ? next() : by[0];
+  factors *= by;
+  const auto is_fit = [](double factor) { return factor > 0 && std::isfinite(factor); };
+  return rest.find_first_not_of(" \t") == std::string_view::npos && is_fit(factors.x) && is_fit(factors.y) &&
+         is_fit(factors.z);
+}
+
 /// "-Y HEIGHT +X WIDTH": rows from the top, pixels from the left; 0 x 0 for anything else.
 ImageSize size_in(std::string_view line) {
   ImageSize size{0, 0};
@@ -118,6 +141,7 @@ Result<Image> decode_hdr(std::string_view bytes, const std::string& file_name) {
                                 "is it whole, with rows from the top? .pfm and .exr hold the same numbers"});
   };
   bool knows_format = false;
+  Rgbd factors(1.0);
   const auto next_line = [&] {
     const std::size_t end = std::min(bytes.find('\n'), bytes.size());
     const std::string_view line = bytes.substr(0, end);
@@ -129,6 +153,7 @@ Result<Image> decode_hdr(std::string_view bytes, const std::string& file_name) {
     const std::string_view line = next_line();
     if (line.empty()) break;
     knows_format = knows_format || line == "FORMAT=32-bit_rle_rgbe";
+    if (!multiply_by(line, factors)) return bad("it says " + std::string(line.substr(0, 60)) + " (expected above 0)");
   }
   if (!knows_format) return bad("it does not say FORMAT=32-bit_rle_rgbe (expected red, green and blue)");
   const ImageSize size = size_in(next_line());
@@ -144,7 +169,7 @@ Result<Image> decode_hdr(std::string_view bytes, const std::string& file_name) {
   for (int y = 0; y < size.height; ++y) {
     const bool whole = from.begins_row_of_channels(row.size()) ? read_channels(from, row) : read_pixels(from, row);
     if (!whole) return bad("row " + std::to_string(y) + " of the picture, counted from 0, is broken");
-    for (const Rgbe& pixel : row) image.pixels.push_back(colour_of(pixel));
+    for (const Rgbe& pixel : row) image.pixels.push_back(colour_of(pixel, factors));
   }
   return image;
 }

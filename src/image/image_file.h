@@ -48,7 +48,8 @@ enum class ImageFormat { png, pfm, exr };
 /// only one of red, green and blue that it has, or else its only channel.
 [[nodiscard]] Result<Image> decode_exr(std::string_view bytes, const std::string& file_name);
 
-/// Reads a Radiance picture (.hdr), as radiance up to a factor: what its head says of exposure is left to the reader.
+/// Reads a Radiance picture (.hdr), as the radiance before what its head says that it was multiplied by (EXPOSURE and
+/// COLORCORR).
 [[nodiscard]] Result<Image> decode_hdr(std::string_view bytes, const std::string& file_name);
 
 /// What the bytes of a PNG or JPEG are.

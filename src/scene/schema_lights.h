@@ -117,8 +117,10 @@ void describe(Fields& f, ClearSky& sky) {
 template <class Fields>
 void describe(Fields& f, ImageSky& sky) {
   f.about("A picture of all directions: its columns are longitudes, its rows latitudes, the zenith at the top.");
-  f.required("file", sky.file, sky_file_name,
-             "A .hdr, .exr, .pfm or .png, twice as wide as high, looked for from the folder of the scene.");
+  f.required(
+      "file", sky.file, sky_file_name,
+      "A .hdr, .exr, .pfm or .png, twice as wide as high, looked for from the folder of the scene. What a .hdr says "
+      "that it was multiplied by (EXPOSURE) is divided out.");
   f.key("strength", sky.strength, light_colour, "Multiplies all of it, and is not 0.");
   shines(f, "strength", !is_black(sky.strength));
 }

@@ -40,6 +40,30 @@ TEST_CASE("a mantissa each and one exponent make a colour") {
   CHECK(pixel({128, 0, 0, 1}).x == 0x1p-128F);
 }
 
+TEST_CASE("a picture is the radiance before what its head says that it was multiplied by") {
+  const std::string format = "FORMAT=32-bit_rle_rgbe\n";
+  const auto read = [&](const std::string& lines) { return decode_hdr(head(1, 1, lines) + bytes(one), "a.hdr"); };
+  const auto is = [&](const std::string& lines, const Rgb<float>& light) {
+    INFO(lines);
+    const auto image = read(lines);
+    REQUIRE(image);
+    CHECK(image->at(0, 0) == light);
+  };
+  is("EXPOSURE=1.0000000000000\n" + format, {1, 0.5F, 0.25F});
+  is("EXPOSURE=4\n" + format, {0.25F, 0.125F, 0.0625F});
+  is(format + "EXPOSURE= 2.0000e+00\r\nEXPOSURE=.25\n", {2, 1, 0.5F});  // all of them
+  is(format + "COLORCORR= 0.5 1 2\nEXPOSURE=2\n", {1, 0.25F, 0.0625F});
+  is(format + "\tEXPOSURE=4\n# EXPOSURE=4\npfilt -e 4\n", {1, 0.5F, 0.25F});  // of what it was made from, and words
+  is(format + "EXPOSURE=3\n", {1.0F / 3, 0.5F / 3, 0.25F / 3});
+  for (const std::string line : {"EXPOSURE=0", "EXPOSURE=-1", "EXPOSURE=", "EXPOSURE=bright", "EXPOSURE=1 2",
+                                 "EXPOSURE=1e999", "COLORCORR=1 1", "COLORCORR=1 1 0"}) {
+    INFO(line);
+    const auto image = read(format + line + "\n");
+    REQUIRE_FALSE(image);
+    CHECK_THAT(image.error().message, contains("it says " + line + " (expected"));
+  }
+}
+
 TEST_CASE("rows are plain, repeated in the old way, or coded channel by channel") {
   const auto plain = decode_hdr(head(2, 2) + bytes(one) + bytes(none) + bytes(three) + bytes(one), "a.hdr");
   REQUIRE(plain);
