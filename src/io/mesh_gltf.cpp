@@ -88,9 +88,7 @@ class GltfReader {
     if (see_through_ > 0) result.warnings.push_back(warning_of_alpha());
     if (has_uv_ && !maps_.laid_otherwise().empty())
       result.warnings.push_back(
-          fmt::format("{}: warning: samplers are not read: that of a {} clamps, mirrors or does not blend; here all "
-                      "textures repeat, and their pixels are blended",
-                      path_, maps_.laid_otherwise()));
+          fmt::format("{}: warning: samplers are not read in full: {}", path_, maps_.laid_otherwise()));
     if (has_colours_) result.warnings.push_back(detail::warning_of_colours(path_));
     if (has_materials) result.materials = std::make_shared<const std::vector<Material>>(std::move(materials_));
     return result;

@@ -93,22 +93,28 @@ class GltfMaps {
   /// Adds the maps of its textures to a material that is made of the factors alone. The name of the first texture that
   /// is not read, with its image's name if it has one; or "".
   std::string add_to(Material& material, const Json& from, const Factors& factors);
-  /// The first texture that is read, but whose sampler would lay it otherwise than repeated and blended; or "".
+  /// What the first sampler asks for that a texture which is read does not do; or "".
   [[nodiscard]] const std::string& laid_otherwise() const { return laid_otherwise_; }
 
  private:
   using Pixels = std::shared_ptr<const Image>;
+  /// A texture: an image, and how its sampler wraps it. Without pixels: none.
+  struct Texture {
+    Pixels pixels{};
+    ImageWraps wraps{};
+    explicit operator bool() const { return pixels != nullptr; }
+  };
   /// What a texture of metal and roughness makes of a material's parameters; null for a colour that is black.
   struct Worn {
     Pixels mirrored, matt, passed, rough;
   };
   /// Made once for all materials of the same textures and factors.
   const Worn& worn(const Pixels& base, const Pixels& metal, const Factors& factors);
-  /// A texture that lies on TEXCOORD_0 and can be read; null if there is none.
-  Pixels read(const Json* use, const char* key, bool is_colour);
+  /// A texture that lies on TEXCOORD_0 and can be read.
+  Texture read(const Json* use, const char* key, bool is_colour);
   [[nodiscard]] const Json* named_by(const Json& object, const char* key, const char* list) const;
   [[nodiscard]] std::optional<std::string> bytes_of(const Json& image) const;
-  [[nodiscard]] bool lies_as_read(const Json& texture) const;
+  [[nodiscard]] ImageWraps wraps_of(const Json& texture, const char* key);
 
   const GltfFile& file_;
   std::string path_;

@@ -15,7 +15,9 @@ namespace raywalk::detail {
 
 namespace {
 
-MapImage laid(const std::shared_ptr<const Image>& pixels) { return {"", 1, -1, pixels}; }
+MapImage laid(const std::shared_ptr<const Image>& pixels, const ImageWraps& wraps) {
+  return {"", 1, -1, pixels, wraps.u, wraps.v == wraps.u ? std::nullopt : std::optional(wraps.v)};
+}
 
 /// The pixel of an image at the place of that of an image of another size.
 Rgbd at_place(const Image* image, int column, int row, const Image& of) {
@@ -58,20 +60,24 @@ std::optional<std::string> GltfMaps::bytes_of(const Json& image) const {
   return bytes.substr(offset, length);
 }
 
-bool GltfMaps::lies_as_read(const Json& texture) const {
+ImageWraps GltfMaps::wraps_of(const Json& texture, const char* key) {
   const Json* sampler = named_by(texture, "sampler", "samplers");
-  if (sampler == nullptr) return true;
-  constexpr std::int64_t repeat = 10497, nearest = 9728;
-  const auto is = [&](const char* key, std::int64_t code) {
-    const Json* found = GltfFile::find(*sampler, key);
+  if (sampler == nullptr) return {};
+  constexpr std::int64_t clamp_to_edge = 33071, mirrored_repeat = 33648, nearest = 9728;
+  const auto is = [&](const char* of, std::int64_t code) {
+    const Json* found = GltfFile::find(*sampler, of);
     return found != nullptr && found->is_number_integer() && found->get<std::int64_t>() == code;
   };
-  const auto repeats = [&](const char* key) { return GltfFile::find(*sampler, key) == nullptr || is(key, repeat); };
-  return repeats("wrapS") && repeats("wrapT") && !is("magFilter", nearest);
+  if (is("magFilter", nearest) && laid_otherwise_.empty())
+    laid_otherwise_ = fmt::format("that of a {} blends no pixels; here they are blended", key);
+  const auto wrap = [&](const char* way) {
+    return is(way, clamp_to_edge) ? ImageWrap::clamp : is(way, mirrored_repeat) ? ImageWrap::mirror : ImageWrap::repeat;
+  };
+  return {wrap("wrapS"), wrap("wrapT")};
 }
 
-auto GltfMaps::read(const Json* use, const char* key, bool is_colour) -> Pixels {
-  if (use == nullptr) return nullptr;
+auto GltfMaps::read(const Json* use, const char* key, bool is_colour) -> Texture {
+  if (use == nullptr) return {};
   const Json* texture = named_by(*use, "index", "textures");
   const Json* image = texture == nullptr ? nullptr : named_by(*texture, "source", "images");
   const Json* on = GltfFile::find(*use, "texCoord");
@@ -87,14 +93,13 @@ auto GltfMaps::read(const Json* use, const char* key, bool is_colour) -> Pixels 
     }
     pixels = known->second;
   }
-  if (pixels && !lies_as_read(*texture) && laid_otherwise_.empty()) laid_otherwise_ = key;
   if (!pixels && unread_.empty()) {
     std::string name = image == nullptr ? "" : GltfFile::text_or_none(*image, "uri");
     if (name.empty() || name.rfind("data:", 0) == 0)
       name = image == nullptr ? "" : GltfFile::text_or_none(*image, "name");
     unread_ = name.empty() ? key : std::string(key) + " " + name;
   }
-  return pixels;
+  return pixels ? Texture{pixels, wraps_of(*texture, key)} : Texture{};
 }
 
 auto GltfMaps::worn(const Pixels& base, const Pixels& metal, const Factors& factors) -> const Worn& {
@@ -141,11 +146,17 @@ std::string GltfMaps::add_to(Material& material, const Json& from, const Factors
   const Json none = Json::object();
   const Json* found = GltfFile::find(from, "pbrMetallicRoughness");
   const Json& pbr = found != nullptr ? *found : none;
-  const Pixels base = read(GltfFile::find(pbr, "baseColorTexture"), "baseColorTexture", true);
-  const Pixels metal = read(GltfFile::find(pbr, "metallicRoughnessTexture"), "metallicRoughnessTexture", false);
-  const auto map = [&](MappedParameter of, const Pixels& pixels) { material.maps.push_back({laid(pixels), of}); };
+  const Texture base = read(GltfFile::find(pbr, "baseColorTexture"), "baseColorTexture", true);
+  const Texture metal = read(GltfFile::find(pbr, "metallicRoughnessTexture"), "metallicRoughnessTexture", false);
+  const ImageWraps wraps = base ? base.wraps : metal.wraps;
+  const auto map = [&](MappedParameter of, const Pixels& pixels) {
+    material.maps.push_back({laid(pixels, wraps), of});
+  };
   if (metal) {
-    const Worn& maps = worn(base, metal, factors);
+    if (wraps != metal.wraps && laid_otherwise_.empty())
+      laid_otherwise_ =
+          "that of a metallicRoughnessTexture wraps otherwise than the baseColorTexture, like which it is laid here";
+    const Worn& maps = worn(base.pixels, metal.pixels, factors);
     const auto take = [&](Rgbd& colour, MappedParameter of, const Pixels& pixels) {
       colour = Rgbd(pixels ? 1.0 : 0.0);
       if (pixels) map(of, pixels);
@@ -158,19 +169,20 @@ std::string GltfMaps::add_to(Material& material, const Json& from, const Factors
       map(MappedParameter::roughness, maps.rough);
     }
   } else if (base) {
-    if (!is_black(material.diffuse)) map(MappedParameter::diffuse, base);
-    if (!is_black(material.reflection)) map(MappedParameter::reflection, base);
-    if (!is_black(material.transmission)) map(MappedParameter::transmission, base);
+    if (!is_black(material.diffuse)) map(MappedParameter::diffuse, base.pixels);
+    if (!is_black(material.reflection)) map(MappedParameter::reflection, base.pixels);
+    if (!is_black(material.transmission)) map(MappedParameter::transmission, base.pixels);
   }
-  if (const Pixels light = read(GltfFile::find(from, "emissiveTexture"), "emissiveTexture", true);
+  if (const Texture light = read(GltfFile::find(from, "emissiveTexture"), "emissiveTexture", true);
       light && !is_black(material.emission))
-    map(MappedParameter::emission, light);
+    material.maps.push_back({laid(light.pixels, light.wraps), MappedParameter::emission});
   const Json* use = GltfFile::find(from, "normalTexture");
-  if (const Pixels normals = read(use, "normalTexture", false)) {
+  if (const Texture normals = read(use, "normalTexture", false)) {
     const Json* scale = GltfFile::find(*use, "scale");
     constexpr double most = 1e6;
-    material.normal_map = NormalMap{
-        laid(normals), scale != nullptr && scale->is_number() ? std::clamp(scale->get<double>(), 0.0, most) : 1};
+    material.normal_map =
+        NormalMap{laid(normals.pixels, normals.wraps),
+                  scale != nullptr && scale->is_number() ? std::clamp(scale->get<double>(), 0.0, most) : 1};
   }
   if (const Json* occlusion = GltfFile::find(from, "occlusionTexture"); occlusion != nullptr && unread_.empty()) {
     const Json* texture = named_by(*occlusion, "index", "textures");

@@ -1,12 +1,13 @@
 #pragma once
 // Images that say what a surface is like from point to point: maps of a material's parameters, of its normal and of its
 // height, and masks between two materials. They lie on the surface as its texture does (scene/material.h), bilinear
-// between pixel centres and repeated endlessly.
+// between pixel centres.
 
 #include "image/image.h"
 #include "math/vec.h"
 #include "math/words.h"
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -70,15 +71,34 @@ template <>
 inline constexpr Word<MapChannel> words_of<MapChannel>[] = {
     {MapChannel::red, "red"}, {MapChannel::green, "green"}, {MapChannel::blue, "blue"}};
 
+/// How an image goes on beyond the edges of its first copy, which has its lower left corner at (u, v) = (0, 0).
+enum class ImageWrap : std::uint8_t {
+  repeat,  ///< by copies of it
+  clamp,   ///< by the pixels of its edge
+  mirror,  ///< by copies each of which is the mirror image of its neighbours
+};
+template <>
+inline constexpr Word<ImageWrap> words_of<ImageWrap>[] = {
+    {ImageWrap::repeat, "repeat"}, {ImageWrap::clamp, "clamp"}, {ImageWrap::mirror, "mirror"}};
+
+/// Each way by itself.
+struct ImageWraps {
+  ImageWrap u = ImageWrap::repeat, v = ImageWrap::repeat;
+  friend bool operator==(const ImageWraps&, const ImageWraps&) = default;
+};
+
 /// An image on a surface.
 struct MapImage {
   std::string file;              ///< as the scene states it; empty: none, or part of a mesh file
-  double width = 1, height = 1;  ///< of one copy, in units of the shape's (u, v), not 0; < 0: mirrored
+  double width = 1, height = 1;  ///< of one copy, in units of the shape's (u, v), not 0; < 0: as wide, and mirrored
   /// The file's content. Null until a reader has loaded it; until then the map changes nothing.
   std::shared_ptr<const Image> pixels{};
+  ImageWrap wrap = ImageWrap::repeat;
+  std::optional<ImageWrap> wrap_v{};  ///< along v, if it is another one there: of a mesh file
+  [[nodiscard]] ImageWraps wraps() const { return {wrap, wrap_v.value_or(wrap)}; }
   /// The pixels are determined by the file.
   friend bool operator==(const MapImage& a, const MapImage& b) {
-    return a.file == b.file && a.width == b.width && a.height == b.height;
+    return a.file == b.file && a.width == b.width && a.height == b.height && a.wrap == b.wrap && a.wrap_v == b.wrap_v;
   }
 };
 
@@ -90,7 +110,7 @@ struct ParameterMap : MapImage {
 };
 
 /// A normal map as glTF 2.0 has it: 2 c - 1 is the normal in the frame of the surface, +x along u, +y along v, +z
-/// outward.
+/// outward. In copies that are mirror images, too, as viewers of glTF take it.
 struct NormalMap : MapImage {
   double strength = 1;  ///< factor of its x and y, >= 0
   friend bool operator==(const NormalMap&, const NormalMap&) = default;

@@ -41,7 +41,7 @@ struct Checker {
   friend bool operator==(const Checker&, const Checker&) = default;
 };
 
-/// An image mapped onto the surface and repeated endlessly. Its lower left corner lies at (u, v) = (0, 0) of the shape,
+/// An image mapped onto the surface. Its lower left corner lies at (u, v) = (0, 0) of the shape,
 /// its right edge at u = width and its upper edge at v = height. Colours are interpolated bilinearly between pixel
 /// centres. The colour multiplies the material's ambient and diffuse.
 struct ImageTexture {
@@ -50,9 +50,10 @@ struct ImageTexture {
   /// The file's content, in linear light. Null until a reader has loaded it; until then the texture is white.
   std::shared_ptr<const Image> pixels{};
   TextureFilter filter = TextureFilter::none;
+  ImageWrap wrap = ImageWrap::repeat;
   /// The pixels are determined by the file.
   friend bool operator==(const ImageTexture& a, const ImageTexture& b) {
-    return a.file == b.file && a.width == b.width && a.height == b.height && a.filter == b.filter;
+    return a.file == b.file && a.width == b.width && a.height == b.height && a.filter == b.filter && a.wrap == b.wrap;
   }
 };
 

@@ -171,6 +171,7 @@ inline constexpr Choice<ShadowKind> shadow_kinds;
 inline constexpr Choice<ShadingNormal> shading_normals;
 inline constexpr Choice<CheckerFilter> checker_filters;
 inline constexpr Choice<TextureFilter> texture_filters;
+inline constexpr Choice<ImageWrap> image_wraps;
 inline constexpr Choice<MirrorKind> mirror_kinds;
 inline constexpr Choice<MappedParameter> mapped_parameters;
 inline constexpr Choice<MapChannel> map_channels;

@@ -16,6 +16,14 @@ void describe(Fields& f, Checker& checker) {
 }
 
 template <class Fields>
+void image_wrap(Fields& f, ImageWrap& wrap) {
+  f.key("wrap", wrap, image_wraps,
+        "How it goes on around its first copy, which begins at a plane's point, or at the first corner of a shape: by "
+        "further copies, by the pixels of its edge (clamp), or by copies each of which is the mirror image of its "
+        "neighbours.");
+}
+
+template <class Fields>
 void describe(Fields& f, ImageTexture& texture) {
   f.about("An image laid over the surface and repeated, instead of or on top of the checker.");
   f.required("file", texture.file, file_name,
@@ -25,12 +33,14 @@ void describe(Fields& f, ImageTexture& texture) {
   f.key("filter", texture.filter, texture_filters,
         "Whether far copies are seen blurred, as wide as the ray's footprint is long (trilinear) or by its ellipse "
         "(ewa).");
+  image_wrap(f, texture.wrap);
 }
 
 template <class Fields>
 void map_size(Fields& f, MapImage& image) {
   f.key("width", image.width, extent, "How wide one copy is on the surface.");
   f.key("height", image.height, extent, "How high one copy is on the surface.");
+  image_wrap(f, image.wrap);
 }
 
 template <class Fields>

@@ -28,16 +28,16 @@ template <class T>
     colour = share * even + (1 - share) * odd;
   }
   if (!surface.texture) return colour;
-  const auto& [pixels, width, height] = *surface.texture;
+  const auto& [pixels, width, height, wraps] = *surface.texture;
   const auto in_copies = [&](const Vec2<T>& lengths) { return Vec2<T>(lengths.x / width, lengths.y / height); };
   const Footprint<T> copies{in_copies(reach.x), in_copies(reach.y)};
   switch (filter.texture) {
     case TextureFilter::none:
       return colour * surface.texture->at(uv);
     case TextureFilter::trilinear:
-      return colour * filter.pyramid->trilinear(uv.x / width, uv.y / height, copies);
+      return colour * filter.pyramid->trilinear(uv.x / width, uv.y / height, copies, wraps);
     case TextureFilter::ewa:
-      return colour * filter.pyramid->ewa(uv.x / width, uv.y / height, copies);
+      return colour * filter.pyramid->ewa(uv.x / width, uv.y / height, copies, wraps);
   }
   return colour;
 }

@@ -27,11 +27,16 @@ SurfaceMaps<T>::Image::Image(const MapImage& from, MapChannel from_channel)
     : pixels(from.pixels),
       width(static_cast<T>(from.width)),
       height(static_cast<T>(from.height)),
-      channel(static_cast<int>(from_channel)) {}
+      channel(static_cast<int>(from_channel)),
+      wraps(from.wraps()) {
+  // A mirrored one runs from its far edge to 0; where it repeats, that is the same.
+  if (width < 0 && wraps.u != ImageWrap::repeat) first.x = -1;
+  if (height < 0 && wraps.v != ImageWrap::repeat) first.y = -1;
+}
 
 template <class T>
 Rgb<T> SurfaceMaps<T>::Image::colour(const Vec2<T>& uv) const {
-  return texture_colour<T>(*pixels, uv.x / width, uv.y / height);
+  return texture_colour<T>(*pixels, uv.x / width - first.x, uv.y / height - first.y, wraps);
 }
 
 template <class T>

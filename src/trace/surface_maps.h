@@ -82,6 +82,8 @@ class SurfaceMaps {
     std::shared_ptr<const raywalk::Image> pixels{};
     T width = 1, height = 1;
     int channel = 0;
+    ImageWraps wraps{};
+    Vec2<T> first{0};  ///< where the first copy begins, in copies
     Image() = default;
     explicit Image(const MapImage& from, MapChannel from_channel = MapChannel::red);
     [[nodiscard]] Rgb<T> colour(const Vec2<T>& uv) const;

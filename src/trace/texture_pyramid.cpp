@@ -88,18 +88,18 @@ auto TexturePyramid::level_of(T width) const -> Between<T> {
 }
 
 template <class T>
-Rgb<T> TexturePyramid::trilinear(T u, T v, const Footprint<T>& footprint) const {
+Rgb<T> TexturePyramid::trilinear(T u, T v, const Footprint<T>& footprint, ImageWraps wraps) const {
   const double width =
       std::max(length_of(in_pixels(*image_, Vec2d(footprint.x))), length_of(in_pixels(*image_, Vec2d(footprint.y))));
   if (!(width < countless)) return Rgb<T>(level(size() - 1).pixels.front());
   const Between<T> between = level_of(static_cast<T>(width));
-  const Rgb<T> sharp = texture_colour(level(between.level), u, v);
+  const Rgb<T> sharp = texture_colour(level(between.level), u, v, wraps);
   if (between.share == 0) return sharp;
-  return sharp + between.share * (texture_colour(level(between.level + 1), u, v) - sharp);
+  return sharp + between.share * (texture_colour(level(between.level + 1), u, v, wraps) - sharp);
 }
 
 template <class T>
-Rgb<T> TexturePyramid::ewa(T u, T v, const Footprint<T>& footprint) const {
+Rgb<T> TexturePyramid::ewa(T u, T v, const Footprint<T>& footprint, ImageWraps wraps) const {
   // The longer derivative is taken as the major axis; the shorter one is widened where it is too narrow.
   constexpr double narrowest = 1.0 / 16;
   Vec2d longer = in_pixels(*image_, Vec2d(footprint.x)), shorter = in_pixels(*image_, Vec2d(footprint.y));
@@ -118,30 +118,34 @@ Rgb<T> TexturePyramid::ewa(T u, T v, const Footprint<T>& footprint) const {
   const Footprint<T> widened{in_copies(longer), in_copies(shorter)};
   const Between<T> between = level_of(static_cast<T>(minor));
   if (between.level == size() - 1) return mean;  // however far the ellipse reaches
-  const Rgb<T> sharp = ewa_of_level(between.level, u, v, widened);
+  const Rgb<T> sharp = ewa_of_level(between.level, u, v, widened, wraps);
   if (between.share == 0) return sharp;
-  return sharp + between.share * (ewa_of_level(between.level + 1, u, v, widened) - sharp);
+  return sharp + between.share * (ewa_of_level(between.level + 1, u, v, widened, wraps) - sharp);
 }
 
 /// Heckbert's A, B, C and F: the ellipse is A x^2 + B x y + C y^2 = F in pixels from its middle. 1 is added to A and C,
 /// which is the filter between pixels, so that some pixel is always inside.
 template <class T>
-Rgb<T> TexturePyramid::ewa_of_level(int number, T u, T v, const Footprint<T>& footprint) const {
+Rgb<T> TexturePyramid::ewa_of_level(int number, T u, T v, const Footprint<T>& footprint, ImageWraps wraps) const {
   static const GaussianTable gaussian;
   const Image& pixels = level(number);
   Vec2d dx = in_pixels(pixels, Vec2d(footprint.x)), dy = in_pixels(pixels, Vec2d(footprint.y));
   // What is one pixel wide or high is the same everywhere along that, and levels make it no smaller.
   if (pixels.width == 1) dx.x = dy.x = 0;
   if (pixels.height == 1) dx.y = dy.y = 0;
-  const double x = static_cast<double>(u - std::floor(u)) * pixels.width - 0.5;
-  const double y = static_cast<double>(1 - (v - std::floor(v))) * pixels.height - 0.5;  // rows count downwards
+  const auto place = [](T along, ImageWrap wrap) {
+    return wrap == ImageWrap::clamp ? along : near_first_copy(along, wrap);
+  };
+  constexpr double farthest = 1 << 30;  // pixels, beyond the edge that goes on: rows and columns are counted in int
+  const double x = std::clamp(static_cast<double>(place(u, wraps.u)) * pixels.width - 0.5, -farthest, farthest);
+  // Rows count downwards.
+  const double y = std::clamp(static_cast<double>(1 - place(v, wraps.v)) * pixels.height - 0.5, -farthest, farthest);
   double A = dx.y * dx.y + dy.y * dy.y + 1, B = 2 * (dx.x * dx.y + dy.x * dy.y), C = dx.x * dx.x + dy.x * dy.x + 1;
   const double F = A * C - B * B / 4;
   A /= F, B /= F, C /= F;
   // Half the sides of its bounding rectangle.
   const double determinant = A * C - B * B / 4;
   const double wide = std::sqrt(C / determinant), high = std::sqrt(A / determinant);
-  const auto wrapped = [](int i, int size) { return ((i % size) + size) % size; };
   Rgbd sum(0.0);
   double weights = 0;
   for (int row = static_cast<int>(std::ceil(y - high)); row <= static_cast<int>(std::floor(y + high)); ++row)
@@ -151,15 +155,16 @@ Rgb<T> TexturePyramid::ewa_of_level(int number, T u, T v, const Footprint<T>& fo
       const double r = A * s * s + B * s * t + C * t * t;
       if (!(r < 1)) continue;
       const double weight = gaussian(r);
-      sum += weight * Rgbd(pixels.at(wrapped(column, pixels.width), wrapped(row, pixels.height)));
+      sum += weight *
+             Rgbd(pixels.at(wrapped_index(column, pixels.width, wraps.u), wrapped_index(row, pixels.height, wraps.v)));
       weights += weight;
     }
-  return weights > 0 ? Rgb<T>(sum / weights) : texture_colour(pixels, u, v);
+  return weights > 0 ? Rgb<T>(sum / weights) : texture_colour(pixels, u, v, wraps);
 }
 
-template Rgb<float> TexturePyramid::trilinear(float, float, const Footprint<float>&) const;
-template Rgb<double> TexturePyramid::trilinear(double, double, const Footprint<double>&) const;
-template Rgb<float> TexturePyramid::ewa(float, float, const Footprint<float>&) const;
-template Rgb<double> TexturePyramid::ewa(double, double, const Footprint<double>&) const;
+template Rgb<float> TexturePyramid::trilinear(float, float, const Footprint<float>&, ImageWraps) const;
+template Rgb<double> TexturePyramid::trilinear(double, double, const Footprint<double>&, ImageWraps) const;
+template Rgb<float> TexturePyramid::ewa(float, float, const Footprint<float>&, ImageWraps) const;
+template Rgb<double> TexturePyramid::ewa(double, double, const Footprint<double>&, ImageWraps) const;
 
 }  // namespace raywalk

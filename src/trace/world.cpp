@@ -30,7 +30,10 @@ typename World<T>::Surface surface_of(const Material& m, Integrator integrator, 
                                      {},
                                      {}};
   if (m.texture && m.texture->pixels)
-    surface.texture = {m.texture->pixels, static_cast<T>(m.texture->width), static_cast<T>(m.texture->height)};
+    surface.texture = {m.texture->pixels,
+                       static_cast<T>(m.texture->width),
+                       static_cast<T>(m.texture->height),
+                       {m.texture->wrap, m.texture->wrap}};
   surface.priority = m.priority;
   if (integrator == Integrator::path && m.scatters_inside()) {
     constexpr T most = 1 - std::numeric_limits<T>::epsilon();

@@ -59,9 +59,12 @@ struct World {
   struct ImageTexture {
     std::shared_ptr<const Image> pixels;
     T width, height;  ///< of one copy
+    ImageWraps wraps{};
 
     /// Its colour at a position on the surface.
-    [[nodiscard]] Rgb<T> at(const Vec2<T>& uv) const { return texture_colour<T>(*pixels, uv.x / width, uv.y / height); }
+    [[nodiscard]] Rgb<T> at(const Vec2<T>& uv) const {
+      return texture_colour<T>(*pixels, uv.x / width, uv.y / height, wraps);
+    }
   };
 
   /// How a medium scatters.

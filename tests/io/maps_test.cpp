@@ -28,11 +28,13 @@ std::string with_lines(const std::string& lines) {
 
 const std::string everything =
     "diffuse = 0.5\nspecular = 0.1\nreflection = 0.2\nroughness = 1\nemission = 1\n"
-    "normal_map = { file = \"n.png\", strength = 0.5 }\n"
+    "texture = { file = \"t.png\", wrap = \"mirror\" }\n"
+    "normal_map = { file = \"n.png\", strength = 0.5, wrap = \"clamp\" }\n"
     "bump_map = { file = \"b.png\", width = 2, relief = -0.05, channel = \"blue\" }\n"
-    "[[object.material.map]]\nof = \"roughness\"\nfile = \"r.png\"\nwidth = 2\nheight = 3\nchannel = \"green\"\n"
+    "[[object.material.map]]\nof = \"roughness\"\nfile = \"r.png\"\nwidth = 2\nheight = 3\nchannel = \"green\"\nwrap = "
+    "\"clamp\"\n"
     "[[object.material.map]]\nof = \"emission\"\nfile = \"r.png\"\n"
-    "[object.material.mask]\nfile = \"m.png\"\n"
+    "[object.material.mask]\nfile = \"m.png\"\nwrap = \"mirror\"\n"
     "[object.material.mask.second]\ndiffuse = [0.4, 0.2, 0.1]\nroughness = 0.4\nreflection = 0.1\n"
     "map = [{ of = \"diffuse\", file = \"r.png\" }]\n";
 
@@ -49,12 +51,16 @@ TEST_CASE("maps and masks are read with all their keys, and saved as they stand"
   CHECK(document->warnings.empty());
   const Material& material = document->scene.objects[0].material;
   REQUIRE(material.maps.size() == 2);
-  CHECK(material.maps[0] == ParameterMap{{"r.png", 2, 3}, MappedParameter::roughness, MapChannel::green});
+  REQUIRE(material.texture);
+  CHECK(material.texture->wrap == ImageWrap::mirror);
+  CHECK(material.maps[0] ==
+        ParameterMap{{"r.png", 2, 3, {}, ImageWrap::clamp}, MappedParameter::roughness, MapChannel::green});
   CHECK(material.maps[1] == ParameterMap{{"r.png"}, MappedParameter::emission, MapChannel::red});
-  CHECK(material.normal_map == NormalMap{{"n.png"}, 0.5});
+  CHECK(material.normal_map == NormalMap{{"n.png", 1, 1, {}, ImageWrap::clamp}, 0.5});
   CHECK(material.bump_map == BumpMap{{"b.png", 2, 1}, -0.05, MapChannel::blue});
   REQUIRE(material.mask);
   CHECK(material.mask->file == "m.png");
+  CHECK(material.mask->wrap == ImageWrap::mirror);
   CHECK(material.mask->second.roughness == 0.4);
   CHECK(material.mask->second.maps.size() == 1);
   const auto written = format_scene(document->scene);

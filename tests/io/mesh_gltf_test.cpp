@@ -216,33 +216,60 @@ TEST_CASE("a glTF file's textures become maps, where its vertices have texture p
   CHECK(bare.diffuse == Rgbd(1, 0.5, 0));
 }
 
-TEST_CASE("what a glTF file says of colours of vertices and of samplers is not read, and told of") {
+TEST_CASE("a glTF file's samplers wrap its textures; their filters and colours of vertices are not read, and told of") {
   const TemporaryFolder folder;
   Image picture{1, 1, {{1, 1, 1}}};
   REQUIRE(write_image(folder.file("t.png"), picture));
-  const auto warnings = [&](const std::string& attribute, const std::string& sampler) {
+  const std::string base_alone = R"("metallicFactor": 0, "baseColorTexture": {"index": 0})";
+  const auto read = [&](const std::string& attribute, const std::string& samplers, const std::string& pbr) {
     const std::string json =
         R"("accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3"},
                          {"bufferView": 1, "componentType": 5123, "count": 6, "type": "SCALAR"},
                          {"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC2"}],
            "bufferViews": [{"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 12}],
-           "textures": [{"source": 0, "sampler": 0}], "images": [{"uri": "t.png"}], "samplers": [{)" +
-        sampler + R"(}], "meshes": [{"primitives": [{"attributes": {"POSITION": 0)" + attribute +
+           "textures": [{"source": 0, "sampler": 0}, {"source": 0, "sampler": 1}], "images": [{"uri": "t.png"}],
+           "samplers": [{)" +
+        samplers + R"(}], "meshes": [{"primitives": [{"attributes": {"POSITION": 0)" + attribute +
         R"(}, "indices": 1, "material": 0}]}],
-           "materials": [{"pbrMetallicRoughness": {"metallicFactor": 0, "baseColorTexture": {"index": 0}}}])";
-    const auto read = parse_gltf(glb(gltf(plain_node, "", json)), folder.file("a.glb"));
-    if (!read) FAIL(read.error().text());
-    return read->warnings;
+           "materials": [{"pbrMetallicRoughness": {)" +
+        pbr + R"(}, "normalTexture": {"index": 0}}])";
+    auto file = parse_gltf(glb(gltf(plain_node, "", json)), folder.file("a.glb"));
+    if (!file) FAIL(file.error().text());
+    return *std::move(file);
+  };
+  const auto warnings = [&](const std::string& attribute, const std::string& sampler) {
+    return read(attribute, sampler, base_alone).warnings;
   };
   const std::string uv = R"(, "TEXCOORD_0": 2)";
   CHECK(warnings(uv, "").empty());
   CHECK(warnings(uv, R"("wrapS": 10497, "wrapT": 10497, "magFilter": 9729)").empty());
-  CHECK(warnings("", R"("wrapS": 33071)").empty());  // its texture lies nowhere
-  for (const char* sampler : {R"("wrapS": 33071)", R"("wrapT": 33648)", R"("magFilter": 9728)"}) {
-    const auto told = warnings(uv, sampler);
-    REQUIRE(told.size() == 1);
-    CHECK_THAT(told.front(), contains("samplers are not read: that of a baseColorTexture"));
+  CHECK(warnings("", R"("magFilter": 9728)").empty());  // its texture lies nowhere
+  const auto nearest = warnings(uv, R"("magFilter": 9728)");
+  REQUIRE(nearest.size() == 1);
+  CHECK_THAT(nearest.front(), contains("samplers are not read in full: that of a baseColorTexture blends no pixels"));
+  using enum ImageWrap;
+  for (const auto& [sampler, u, v] : {std::tuple{R"("wrapS": 33071)", clamp, repeat},
+                                      {R"("wrapT": 33648)", repeat, mirror},
+                                      {R"("wrapS": 33648, "wrapT": 33071)", mirror, clamp},
+                                      {R"("wrapS": 33071, "wrapT": 33071)", clamp, clamp},
+                                      {R"("wrapS": 10497, "wrapT": 1)", repeat, repeat}}) {
+    INFO(sampler);
+    const MeshFile file = read(uv, sampler, base_alone);
+    CHECK(file.warnings.empty());
+    const Material& material = file.materials->front();
+    REQUIRE(material.maps.size() == 1);
+    REQUIRE(material.normal_map);
+    CHECK(material.maps[0].wraps() == ImageWraps{u, v});
+    CHECK(material.normal_map->wraps() == ImageWraps{u, v});
   }
+  // Both are computed into one map, which wraps like the first.
+  const std::string both = R"("baseColorTexture": {"index": 0}, "metallicRoughnessTexture": {"index": 1})";
+  const MeshFile alike = read(uv, R"("wrapS": 33071}, {"wrapS": 33071)", both),
+                 unlike = read(uv, R"("wrapS": 33071}, {"wrapS": 33648)", both);
+  CHECK(alike.warnings.empty());
+  REQUIRE(unlike.warnings.size() == 1);
+  CHECK_THAT(unlike.warnings.front(), contains("wraps otherwise than the baseColorTexture"));
+  for (const ParameterMap& map : unlike.materials->front().maps) CHECK(map.wraps() == ImageWraps{clamp, repeat});
   const auto told = warnings(uv + R"(, "COLOR_0": 0)", "");
   REQUIRE(told.size() == 1);
   CHECK_THAT(told.front(), contains("a.glb: warning: colours of vertices are not read"));

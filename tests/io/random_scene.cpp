@@ -200,10 +200,14 @@ Material random_material(Random& random) {
   if (random.chance(0.2)) material.texture = ImageTexture{random_text(random), random.positive(), random.positive()};
   if (material.texture && random.chance(0.5))
     material.texture->filter = random.chance(0.5) ? TextureFilter::trilinear : TextureFilter::ewa;
+  const auto wrap = [&] { return values_of<ImageWrap>[random.below(values_of<ImageWrap>.size())]; };
+  if (material.texture) material.texture->wrap = wrap();
   if (random.chance(0.2)) material.checker = Checker{random_colour(random), random_colour(random), random.positive()};
   if (material.checker && random.chance(0.5)) material.checker->filter = CheckerFilter::closed;
   if (random.chance(0.2)) material.priority = 6 * random.unit() - 3;
-  const auto map_image = [&] { return MapImage{random_text(random), random.positive(), random.positive()}; };
+  const auto map_image = [&] {
+    return MapImage{random_text(random), random.positive(), random.positive(), {}, wrap()};
+  };
   const auto channel = [&] { return values_of<MapChannel>[random.below(3)]; };
   if (random.chance(0.2)) {
     const auto of = values_of<MappedParameter>[random.below(values_of<MappedParameter>.size())];

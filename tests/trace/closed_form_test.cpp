@@ -233,6 +233,18 @@ TEST_CASE("a texture lies on the surface in its own units, smooth between the mi
   CHECK(near(at(0, 1), {0.5, 0.5, 1}));  // over the seam: half white, half blue
   CHECK(near(at(-1.5, -7), {0, 0, 1}));  // repeated
   CHECK(near(at(0.5 + 2000, 1 - 4000), {0, 0, 1}));
+  scene.objects[0].material.texture->wrap = ImageWrap::clamp;
+  CHECK(near(at(0.75, 1), {0.25, 0.25, 1}));
+  CHECK(near(at(0, 1), {0, 0, 1}));
+  CHECK(near(at(-1000, 3), {1, 0, 0}));
+  CHECK(near(at(1.5, 4000), {0, 1, 0}));
+  CHECK(near(at(7, -9), {1, 1, 1}));
+  scene.objects[0].material.texture->wrap = ImageWrap::mirror;
+  CHECK(near(at(0.75, 1), {0.25, 0.25, 1}));
+  CHECK(near(at(-0.75, 1), {0.25, 0.25, 1}));
+  CHECK(near(at(2.5, 1), {1, 1, 1}));
+  CHECK(near(at(3.5 + 4000, 5), {1, 0, 0}));
+  scene.objects[0].material.texture->wrap = ImageWrap::repeat;
   scene.objects[0].material.diffuse = Rgbd(1.0);
   scene.objects[0].material.ambient = Rgbd(0.0);
   scene.lights = {{"Sun", Rgbd(1.0), DirectionalLight{{0, 0, 1}}}};

@@ -83,6 +83,50 @@ TEST_CASE("a map is bilinear in the shape's own lengths, and a number that of it
   CHECK(at(5.5).shininess == Approx(45));  // it repeats
 }
 
+TEST_CASE("a map goes on beyond its first copy as it says, each way by itself") {
+  // Rows from the top: the first copy has 1 2 3 over 4 5 6.
+  const auto pixels = pixels_of(3, 2, {Rgbd(1), Rgbd(2), Rgbd(3), Rgbd(4), Rgbd(5), Rgbd(6)});
+  // At the centre of a pixel, counted from the lower left of the first copy.
+  const auto at = [&](double width, double height, ImageWrap wrap, std::optional<ImageWrap> wrap_v, int column,
+                      int row) {
+    Material material;
+    material.maps = {{{"map.png", width, height, pixels, wrap, wrap_v}, MappedParameter::shininess, MapChannel::red}};
+    SurfaceValues<double> own{};
+    own.shininess = 1;
+    const SurfaceMaps<double> maps(material, own, own, true, true);
+    const Vec2d uv((column + 0.5) / 3 * std::abs(width), (row + 0.5) / 2 * std::abs(height));
+    const double value = maps.at(uv).first.shininess;
+    CHECK(value == Approx(std::round(value)).margin(1e-9));
+    return static_cast<int>(std::round(value));
+  };
+  const auto row_of = [&](double width, double height, ImageWrap wrap, std::optional<ImageWrap> wrap_v, int row) {
+    std::string numbers;
+    for (int column = -5; column < 9; ++column) numbers += std::to_string(at(width, height, wrap, wrap_v, column, row));
+    return numbers;
+  };
+  using enum ImageWrap;
+  // Five columns before the first copy, its three, and six after it.
+  CHECK(row_of(6, 1, repeat, {}, 0) == "56456456456456");
+  CHECK(row_of(6, 1, clamp, {}, 0) == "44444456666666");
+  CHECK(row_of(6, 1, mirror, {}, 0) == "56654456654456");
+  CHECK(row_of(6, 1, clamp, {}, 7) == "11111123333333");
+  CHECK(row_of(6, 1, clamp, {}, -7) == "44444456666666");
+  CHECK(row_of(6, 1, mirror, {}, 2) == "23321123321123");  // above the upper row: that row again
+  CHECK(row_of(6, 1, mirror, {}, -1) == "56654456654456");
+  CHECK(row_of(6, 1, clamp, repeat, -1) == "11111123333333");
+  CHECK(row_of(6, 1, repeat, clamp, -3) == "56456456456456");
+  CHECK(row_of(6, 1, clamp, mirror, 3) == "44444456666666");
+  // As glTF lays it, with v downward, and mirrored each way: between the same ends.
+  CHECK(row_of(1, -1, clamp, {}, 0) == "11111123333333");
+  CHECK(row_of(1, -1, clamp, {}, 1) == "44444456666666");
+  CHECK(row_of(1, -1, clamp, {}, 5) == "44444456666666");
+  CHECK(row_of(1, -1, mirror, {}, -1) == "23321123321123");
+  CHECK(row_of(1, -1, mirror, {}, 2) == "56654456654456");
+  CHECK(row_of(1, -1, repeat, clamp, -4) == "23123123123123");
+  CHECK(row_of(-6, 1, clamp, {}, 0) == "66666654444444");
+  CHECK(row_of(-6, 1, mirror, {}, 0) == "54456654456654");
+}
+
 TEST_CASE("a roughness between two that there are tables of is the mixture of them that has its alpha") {
   Material material = mirror();
   material.roughness = 0.8;

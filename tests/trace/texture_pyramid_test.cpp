@@ -82,6 +82,64 @@ TEST_CASE("an ellipse keeps the stripes that it lies along, and a mean of both w
   CHECK(contrast([&](Vec2d uv) { return pyramid.ewa(uv.x, uv.y, Footprint<double>{along.y, along.x}); }) > 0.8);
 }
 
+TEST_CASE("a mirrored image is a repeated one of twice the size that holds its mirror images") {
+  auto image = std::make_shared<Image>(Image{16, 8, {}}), doubled = std::make_shared<Image>(Image{32, 16, {}});
+  std::mt19937 bits(5);
+  for (int i = 0; i < 16 * 8; ++i) image->pixels.emplace_back(static_cast<float>(bits() % 256));
+  for (int row = 0; row < 16; ++row)  // the upper half is v from 1 to 2
+    for (int column = 0; column < 32; ++column)
+      doubled->pixels.push_back(image->at(std::min(column, 31 - column), row < 8 ? 7 - row : row - 8));
+  const TexturePyramid small(image), large(doubled);
+  constexpr ImageWraps mirrored{ImageWrap::mirror, ImageWrap::mirror};
+  const auto random = [&](double low, double high) {
+    return low + (high - low) * static_cast<double>(bits() % 10007) / 10007;
+  };
+  for (int i = 0; i < 500; ++i) {
+    const Vec2d uv(random(-5, 5), random(-5, 5));
+    const double size = random(0, 0.2);
+    const Footprint<double> footprint{{random(-1, 1) * size, random(-1, 1) * size},
+                                      {random(-0.2, 0.2) * size, random(-0.2, 0.2) * size}};
+    const Footprint<double> half{footprint.x / 2.0, footprint.y / 2.0};
+    CAPTURE(uv.x, uv.y, size);
+    CHECK(texture_colour(*image, uv.x, uv.y, mirrored).x ==
+          Approx(texture_colour(*doubled, uv.x / 2, uv.y / 2).x).margin(1e-9));
+    CHECK(small.trilinear(uv.x, uv.y, footprint, mirrored).x ==
+          Approx(large.trilinear(uv.x / 2, uv.y / 2, half).x).margin(1e-4));
+    CHECK(small.ewa(uv.x, uv.y, footprint, mirrored).x == Approx(large.ewa(uv.x / 2, uv.y / 2, half).x).margin(1e-4));
+  }
+}
+
+TEST_CASE("a clamped image is one within a wide frame of its edge") {
+  constexpr int size = 16, frame = 48;
+  auto image = std::make_shared<Image>(Image{size, size, {}});
+  std::mt19937 bits(5);
+  for (int i = 0; i < size * size; ++i) image->pixels.emplace_back(static_cast<float>(bits() % 256));
+  auto framed = std::make_shared<Image>(Image{size + 2 * frame, size + 2 * frame, {}});
+  const auto clamped = [](int i) { return std::clamp(i - frame, 0, size - 1); };
+  for (int row = 0; row < framed->height; ++row)
+    for (int column = 0; column < framed->width; ++column)
+      framed->pixels.push_back(image->at(clamped(column), clamped(row)));
+  const TexturePyramid small(image), large(framed);
+  constexpr ImageWraps edges{ImageWrap::clamp, ImageWrap::clamp};
+  constexpr double ratio = double{size} / (size + 2 * frame), begin = double{frame} / (size + 2 * frame);
+  const auto random = [&](double low, double high) {
+    return low + (high - low) * static_cast<double>(bits() % 10007) / 10007;
+  };
+  for (int i = 0; i < 500; ++i) {
+    const Vec2d uv(random(-2, 3), random(-2, 3)), there = Vec2d(begin) + ratio * uv;
+    // Less than a pixel narrow, so that it is of the lowest level.
+    const Footprint<double> footprint{{random(-0.5, 0.5), random(-0.5, 0.5)}, {random(0, 0.03), random(0, 0.03)}};
+    CAPTURE(uv.x, uv.y);
+    CHECK(texture_colour(*image, uv.x, uv.y, edges).x == Approx(texture_colour(*framed, there.x, there.y).x));
+    CHECK(small.ewa(uv.x, uv.y, footprint, edges).x ==
+          Approx(large.ewa(there.x, there.y, {ratio * footprint.x, ratio * footprint.y}).x));
+  }
+  for (const double far : {1e3, 1e9, 1e30}) {
+    CHECK(texture_colour(*image, far, far, edges) == Rgbd(image->at(size - 1, 0)));
+    CHECK(small.ewa(-far, -far, {{0.3, 0.1}, {0.01, 0.02}}, edges).x == Approx(image->at(0, size - 1).x));
+  }
+}
+
 TEST_CASE("the mean over an ellipse is that by weights that are taken anew for each pixel of the image") {
   // By the paper, without a table, and of the lowest level alone: an ellipse less than a pixel narrow.
   auto image = std::make_shared<Image>(Image{24, 16, {}});

@@ -57,6 +57,7 @@ TEST_CASE("every member of a family has its text, and none is there for nobody")
   for (const CheckerFilter filter : values_of<CheckerFilter>) choose(name_of(filter));
   for (const MirrorKind kind : values_of<MirrorKind>) choose(name_of(kind));
   for (const TextureFilter filter : values_of<TextureFilter>) choose(name_of(filter));
+  for (const ImageWrap wrap : values_of<ImageWrap>) choose(name_of(wrap));
   for (const MapChannel channel : values_of<MapChannel>) choose(name_of(channel));
   [&]<class... Kinds>(const std::variant<Kinds...>* /*all*/) {
     (choose(Kinds::name), ...);
