@@ -7,6 +7,7 @@
 
 #include <cstring>
 #include <filesystem>
+#include <tuple>
 
 using namespace raywalk;
 using namespace raywalk::test;
