@@ -281,8 +281,10 @@ class Loop::Parts {
     if (!outcome_ || !state_.document.notice) return;
     const auto* lesson = action.as<action::OpenLesson>();
     const auto& open = state_.lessons.open;
-    const bool failed = lesson != nullptr ? !state_.document.question && (!open || open->lesson.name != lesson->name)
-                                          : writes_file(action) && state_.document.notice->kind == Notice::Kind::error;
+    const bool failed = lesson != nullptr
+                            ? !state_.document.question && (!open || open->lesson.name != lesson->name)
+                            : writes_file(action) && state_.document.notice->kind == Notice::Kind::error &&
+                                  !state_.document.notice->lasts;
     if (failed) outcome_ = tl::unexpected(Error{options_.demo_path, 0, 0, state_.document.notice->text, ""});
   }
 

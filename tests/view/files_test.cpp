@@ -308,21 +308,39 @@ TEST_CASE("autosaves are seldom, and none is written while nothing changes") {
   CHECK_FALSE(is_written());
 }
 
-TEST_CASE("an autosave that cannot be written is reported once, and tried again") {
+TEST_CASE("an autosave that cannot be written is reported until that is dismissed, and tried again") {
   const TemporaryFolder folder;
   State state = saved_state(folder);
   const auto block = [&] { REQUIRE(write_file_atomically(folder.file("blocked"), "a file where a folder is wanted")); };
   const auto is_reported = [&] {
-    const auto said = std::exchange(state.document.notice, std::nullopt);
-    return said && said->kind == Notice::Kind::error;
+    const auto& said = state.document.notice;
+    return said && said->kind == Notice::Kind::error && said->text.find("could not be autosaved") != std::string::npos;
   };
   block();
   state.document.state_dir = folder.file("blocked");
   make_dirty(state);
   update(state, action::Tick{1});
   CHECK(is_reported());
+  // A drag, in which it may have failed first, and other edits do not end it.
+  drag_by(state, {TargetKind::object, 0}, {40, -25});
+  CHECK(is_reported());
+  make_dirty(state);
+  CHECK(is_reported());
+  // What is said meanwhile stands alone, and it is told again after that.
+  update(state, action::Redo{});
+  CHECK_FALSE(is_reported());
   update(state, action::Tick{autosave_every + 1});
   CHECK_FALSE(is_reported());
+  update(state, action::DismissNotice{});
+  update(state, action::Tick{autosave_every + 1});
+  CHECK(is_reported());
+  // Who has dismissed it, hears it no more.
+  update(state, action::DismissNotice{});
+  for (int i = 0; i < 3; ++i) {
+    make_dirty(state);
+    update(state, action::Tick{autosave_every + 1});
+    CHECK_FALSE(is_reported());
+  }
   std::filesystem::remove(folder.file("blocked"));
   update(state, action::Tick{autosave_every / 2});
   CHECK_FALSE(std::filesystem::exists(folder.file("blocked/autosave.toml")));
@@ -334,6 +352,15 @@ TEST_CASE("an autosave that cannot be written is reported once, and tried again"
   block();
   update(state, action::Tick{autosave_every + 1});
   CHECK(is_reported());
+  SECTION("it ends once one is written") {
+    std::filesystem::remove(folder.file("blocked"));
+    update(state, action::Tick{autosave_every + 1});
+    CHECK_FALSE(state.document.notice);
+  }
+  SECTION("it ends with the work that it is about") {
+    while (state.document.dirty) update(state, action::Undo{});
+    CHECK_FALSE(state.document.notice);
+  }
 }
 
 TEST_CASE("recent files are remembered, the latest first, each once") {

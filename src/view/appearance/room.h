@@ -97,7 +97,11 @@ struct DividePanes {
 struct DismissNotice {
   static constexpr std::string_view word = "dismiss";
   static constexpr Traits traits{.keeps_drag = true, .always = true};
-  void apply(auto& state) const { state.document.notice.reset(); }
+  void apply(auto& state) const {
+    auto& document = state.document;
+    if (document.notice && document.notice->lasts) document.failure_dismissed = true;
+    document.notice.reset();
+  }
 };
 
 }  // namespace raywalk::action

@@ -135,6 +135,21 @@ bool is_autosave_gone(const State& state) {
          !std::filesystem::exists(autosave_path(state), failed);
 }
 
+/// That nothing is autosaved is said at once, and again when what was said meanwhile is gone, until it is dismissed.
+void tell_of_failure(State& state, const std::string& why) {
+  DocumentRoom& document = state.document;
+  if (std::exchange(document.autosave_failure, why) != why)
+    document.failure_dismissed = false;
+  else if (document.failure_dismissed || document.notice || waits_for_answer(state))
+    return;
+  complain(state, fill("notice.autosave_failed", state.appearance.language, {{"why", why}}));
+  document.notice->lasts = true;
+}
+
+void end_telling_of_failure(State& state) {
+  if (state.document.notice && state.document.notice->lasts) state.document.notice.reset();
+}
+
 }  // namespace
 
 void autosave(State& state, double seconds) {
@@ -149,19 +164,19 @@ void autosave(State& state, double seconds) {
   const bool is_first = state.document.autosave_file.empty();
   claim_autosave(state);
   const Result<void> written = write_autosave(state);
-  const std::string why = written ? std::string() : written.error().text();
-  const bool is_news = std::exchange(state.document.autosave_failure, why) != why;
   if (written) {
     state.document.autosaved_revision = state.document.revision;
-    return;
+    state.document.autosave_failure.clear();
+    return end_telling_of_failure(state);
   }
   if (is_first) remove_autosave(state);  // nothing but a name
-  if (is_news) complain(state, fill("notice.autosave_failed", state.appearance.language, {{"why", why}}));
+  tell_of_failure(state, written.error().text());
 }
 
 void forget_autosave(State& state) {
   if (state.bugs.hunt) return;  // it belongs to the suspended scene
   state.document.autosaved_revision = state.document.revision;
+  end_telling_of_failure(state);  // there is nothing to autosave
   if (!state.document.state_dir.empty()) remove_autosave(state);
 }
 

@@ -24,6 +24,11 @@ inline void complain(State& state, std::string text) {
   state.document.notice = Notice{Notice::Kind::error, std::move(text)};
 }
 
+/// Where an edit is done: what was said before is of the past, unless it goes on.
+inline void forget_notice(State& state) {
+  if (state.document.notice && !state.document.notice->lasts) state.document.notice.reset();
+}
+
 // history.cpp
 
 /// Replaces the scene by `next` without an undo entry; records again, and drops references to what no longer exists.

@@ -142,7 +142,7 @@ void commit(State& state, Scene next, EditMark mark, bool continues) {
     if (!joins) remember(state, state.scene());
     document.last_edit = mark;
   }
-  document.notice.reset();
+  forget_notice(state);
   replace_scene(state, std::move(next));
 }
 

@@ -23,6 +23,7 @@ struct Notice {
   enum class Kind { info, error };
   Kind kind = Kind::info;
   std::string text;
+  bool lasts = false;  ///< tells of what goes on failing: not over with the next edit
 };
 
 /// What is done once unsaved work is settled, or a file may be overwritten.
@@ -309,7 +310,8 @@ struct DocumentRoom {
   std::shared_ptr<const FileHold> autosave_hold;  ///< of that file: this session still runs
   double autosave_in = 0;                         ///< seconds until the next autosave may be written
   std::uint64_t autosaved_revision = 0;
-  std::string autosave_failure;  ///< why the last one was not written, which is said once; empty: it was
+  std::string autosave_failure;    ///< why the last one was not written; empty: it was
+  bool failure_dismissed = false;  ///< whoever was told of that needs to hear it no more
 
   std::optional<Question> question;
   PathPrompt prompt = PathPrompt::none;

@@ -139,7 +139,7 @@ void action::PointerMoved::apply(State& state) const {
   // If the scene would be invalid, it is not changed.
   std::optional<Scene> next = checked(state, grip);
   if (!next) return;
-  state.document.notice.reset();
+  forget_notice(state);
   if (*next != state.scene()) replace_scene(state, std::move(*next));
 }
 
