@@ -199,6 +199,7 @@ TEST_CASE("what a text wants filled in is what the sources give it") {
                                     "question.unsaved_open",
                                     "question.unsaved_quit",
                                     "question.unsaved_link",
+                                    "question.unsaved_lesson_open",
                                     "walk.photon_diffused",
                                     "walk.photon_in_highlight",
                                     "walk.photon_mirrored",

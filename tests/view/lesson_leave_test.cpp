@@ -2,9 +2,10 @@
 
 #include <string>
 
-#include "fixtures.h"
+#include "lesson_state.h"
 #include "support/catch.h"
 #include "view/action.h"
+#include "view/document/question.h"
 #include "view/lesson/lesson_panel.h"
 
 using namespace raywalk;
@@ -72,6 +73,26 @@ TEST_CASE("leaving a lesson restores the scene that was open before") {
     CHECK(state.scene() == mine);
     CHECK_FALSE(state.document.dirty);
   }
+  SECTION("asked first, too, before another lesson takes its place") {
+    state.lessons.unlocked = true;
+    const std::string second = state.lessons.list[1].name;
+    make_dirty(state);
+    const Scene changed = state.scene();
+    update(state, action::OpenLesson{second});
+    REQUIRE(state.document.question.has_value());
+    CHECK(question_panel(state).text.find(state.lessons.list[1].title(state.appearance.language)) != std::string::npos);
+    update(state, action::AnswerQuestion{action::Answer::cancel});
+    CHECK(state.lessons.open->lesson.name == first);
+    CHECK(state.scene() == changed);
+    update(state, action::OpenLesson{second});
+    update(state, action::AnswerQuestion{action::Answer::save});
+    update(state, action::SaveAs{folder.file("theirs.toml")});
+    CHECK(read_scene(folder.file("theirs.toml"))->scene == changed);
+    CHECK(state.lessons.open->lesson.name == second);
+    update(state, action::LeaveLesson{});
+    CHECK_FALSE(state.document.question);
+    CHECK(state.scene() == mine);
+  }
   SECTION("unless another scene was opened: that is where one is") {
     update(state, action::New{});
     CHECK(state.lessons.at() == nullptr);
@@ -93,6 +114,60 @@ TEST_CASE("leaving a lesson restores the scene that was open before") {
     CHECK(state.lessons.step == step);
     CHECK(state.lessons.first_tries[state.lessons.last].judged() == 1);
   }
+}
+
+TEST_CASE("what was changed in a step can be redone there, and its scene is shown as the lesson has it") {
+  State state = test::state_with_lessons();
+  update(state, action::OpenLesson{"01-ray-casting"});
+  const Scene written = state.scene();
+  make_dirty(state);
+  make_dirty(state);
+  const Scene changed = state.scene();
+  update(state, action::GoToLessonStep{1});
+  CHECK_FALSE(state.document.dirty);
+  CHECK(state.document.redo.empty());
+  REQUIRE(state.document.notice);
+  CHECK_THAT(state.document.notice->text, test::contains("step 1") && test::contains("Redo"));
+  SECTION("also after changes of another step") {
+    make_dirty(state);
+    update(state, action::GoToLessonStep{0});
+  }
+  SECTION("also with a part of it redone before") {
+    update(state, action::GoToLessonStep{0});
+    update(state, action::Redo{});
+    update(state, action::GoToLessonStep{1});
+    CHECK_FALSE(state.document.notice);  // it was told
+    update(state, action::GoToLessonStep{0});
+  }
+  CHECK(state.scene() == written);
+  CHECK_FALSE(state.document.dirty);
+  REQUIRE(state.document.notice);
+  CHECK_THAT(state.document.notice->text, test::contains("Redo"));
+  update(state, action::Redo{});
+  update(state, action::Redo{});
+  CHECK(state.scene() == changed);
+  CHECK(state.document.redo.empty());
+  update(state, action::Undo{});
+  update(state, action::Undo{});
+  CHECK(state.scene() == written);
+  // Another lesson, or the same one anew, knows nothing of them.
+  update(state, action::OpenLesson{"01-ray-casting"});
+  CHECK(state.document.redo.empty());
+}
+
+TEST_CASE("an answer that is shown in the scene that was asked about leaves a student's changes to be redone") {
+  State state = test::state_with_lessons();
+  update(state, action::OpenLesson{"01-ray-casting"});
+  update(state, action::GoToLessonStep{1});
+  REQUIRE(lesson_panel(state).asks == Asks::choice);
+  const Scene asked = state.scene();
+  make_dirty(state);
+  const Scene changed = state.scene();
+  update(state, action::GuessChoice{0});
+  update(state, action::RevealLesson{});
+  CHECK(state.scene() == asked);
+  update(state, action::Redo{});
+  CHECK(state.scene() == changed);
 }
 
 TEST_CASE("a step shows beside the plan what the steps before it left there, also to who comes back to it") {

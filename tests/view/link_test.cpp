@@ -7,6 +7,7 @@
 #include "support/effort.h"
 #include "text/file.h"
 #include "view/document/document.h"
+#include "view/document/question.h"
 #include "view/link/qr_code.h"
 
 #include "support/catch.h"
@@ -317,7 +318,7 @@ TEST_CASE("opening a link asks before unsaved work is lost, and keeps it where i
   CHECK(state.walk.position == 3);
 }
 
-TEST_CASE("a link that opens nothing leaves what a lesson's scene has of changes to be asked about") {
+TEST_CASE("opening a link asks before a changed scene of a lesson is lost, and keeps it where it cannot be opened") {
   State state = state_with_lessons();
   update(state, action::OpenLesson{"01-ray-casting"});
   REQUIRE(state.lessons.open);
@@ -326,11 +327,17 @@ TEST_CASE("a link that opens nothing leaves what a lesson's scene has of changes
   const Scene changed = state.scene();
   for (const Link& link : {Link{.scene = "no_such_scene"}, Link{.lesson = "no-such-lesson", .lesson_step = 1}}) {
     update(state, action::OpenLink{write_link(link)});
+    REQUIRE(state.document.question);
+    CHECK_THAT(question_panel(state).text, contains("lesson's scene") && contains("link"));
+    update(state, action::AnswerQuestion{Answer::discard});
     CHECK_FALSE(state.document.question);
     CHECK(state.scene() == changed);
     CHECK(state.document.dirty);
   }
   update(state, action::OpenLink{write_link(Link{.scene = "glass"})});
+  REQUIRE(state.document.question);
+  CHECK(state.scene() == changed);
+  update(state, action::AnswerQuestion{Answer::discard});
   CHECK_FALSE(state.document.dirty);
   CHECK_FALSE(state.lessons.open);
 }

@@ -38,6 +38,8 @@ void replace_scene(State& state, Scene next);
 void commit(State& state, Scene next, EditMark mark = {}, bool continues = false);
 /// Adds an undo entry that restores `before`.
 void remember(State& state, Undone before);
+/// What could be redone if all that can be undone were: whoever shows the scene as it was then loses nothing.
+[[nodiscard]] History all_undone(const DocumentRoom& document);
 /// Replaces the ink, with one undo entry; none if nothing changed. `joins`: the entry of the edit before holds for this
 /// one too.
 void commit_ink(State& state, Ink next, bool joins = false);

@@ -92,9 +92,7 @@ Target found_again(Target target, const Scene& before, const Scene& after) {
   return target.index < 0 ? Target{} : target;
 }
 
-using Stack = decltype(DocumentRoom::undo);
-
-void step_history(State& state, Stack& from, Stack& to, std::string_view when_empty) {
+void step_history(State& state, History& from, History& to, std::string_view when_empty) {
   if (from.empty()) return inform(state, std::string(text(when_empty, state.appearance.language)));
   const std::shared_ptr<const Undone> next = from.back();
   from.pop_back();
@@ -127,6 +125,15 @@ void remember(State& state, Undone before) {
   state.document.undo.push_back(std::make_shared<const Undone>(std::move(before)));
   state.document.replaced_redo = std::exchange(state.document.redo, {});
   trim(state);
+}
+
+History all_undone(const DocumentRoom& document) {
+  History redo = document.redo;
+  auto scene = std::make_shared<const Undone>(document.contents.scene);
+  auto ink = std::make_shared<const Undone>(document.contents.ink);
+  for (auto before = document.undo.rbegin(); before != document.undo.rend(); ++before)
+    redo.push_back(std::exchange(std::holds_alternative<Scene>(**before) ? scene : ink, *before));
+  return redo;
 }
 
 void commit(State& state, Scene next, EditMark mark, bool continues) {

@@ -70,6 +70,8 @@ struct EditMark {
 
 /// What an edit replaced: the scene, or the ink over it.
 using Undone = std::variant<Scene, Ink>;
+/// Last in, first out.
+using History = std::vector<std::shared_ptr<const Undone>>;
 
 inline constexpr std::size_t undo_entries = 256;
 inline constexpr std::size_t undo_bytes = 64 << 20;  ///< of undo and redo together, roughly
@@ -295,12 +297,12 @@ struct DocumentRoom {
   Ink saved_ink{};             ///< the ink that the file holds
   bool dirty = false;          ///< contents differ from saved_scene or saved_ink
   std::uint64_t revision = 0;  ///< incremented with every change of contents.scene, to restart the 3-D image
-  std::vector<std::shared_ptr<const Undone>> undo, redo;  ///< last in, first out; bounded (undo_entries, undo_bytes)
+  History undo, redo;          ///< bounded (undo_entries, undo_bytes)
   std::shared_ptr<WorldCache>
       worlds;   ///< of contents.scene; replaced with each change of it, so that copies may share it
   Stop stop{};  ///< cancels a long update: it throws Stopped, and the state is then invalid
   std::optional<EditMark> last_edit;
-  decltype(redo) replaced_redo;     ///< what could be redone before last_edit, which others may join and take back
+  History replaced_redo;            ///< what could be redone before last_edit, which others may join and take back
   std::vector<std::string> recent;  ///< paths, most recent first
   std::vector<std::string> keeps;   ///< files of the command line that must not be replaced, such as a demo
   /// Folder for the autosave and the list of recent files; empty: neither is kept.

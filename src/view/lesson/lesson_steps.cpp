@@ -131,6 +131,25 @@ void reset_settings(State& state) {
   state.picture.settings.accelerator = accelerator;
 }
 
+/// Before the scene of the step gives way to one that was written: what was changed in it can be redone in this step.
+void keep_changes(State& state) { state.lessons.changes[state.lessons.step] = all_undone(state.document); }
+
+/// Whether the scene was changed in this step, and not only drawn over.
+bool has_changes(const LessonRoom& sitting) {
+  const auto kept = sitting.changes.find(sitting.step);
+  return kept != sitting.changes.end() && std::any_of(kept->second.begin(), kept->second.end(), [](const auto& change) {
+           return std::holds_alternative<Scene>(*change);
+         });
+}
+
+/// Lets them be redone in the scene as it was written, which is shown now.
+void offer_changes(State& state) {
+  const auto kept = state.lessons.changes.find(state.lessons.step);
+  if (kept != state.lessons.changes.end()) state.document.redo = kept->second;
+  if (has_changes(state.lessons))
+    inform_above(state, std::string(text("lesson.changes_here", state.appearance.language)));
+}
+
 /// Shows the step's walk, at the position of the question; `anew`: even where the same scene stands there.
 void stage(State& state, bool anew = false) {
   const PlayedStep& step = *state.lessons.at();
@@ -139,13 +158,14 @@ void stage(State& state, bool anew = false) {
   const bool stays = !anew && is_staged(state) && !(state.walk.bug && state.walk.bug->mended);
   if (!stays) {
     state.walk.grain = Grain::line;  // the step's words are of lines
-    forget_autosave(state);          // changes during a lesson belong to the lesson
+    forget_autosave(state);          // changes stay with their step
     reset_settings(state);
     EffectsRoom::close(state);
     show_document(state, walk.document, {});
     state.walk.pixel = pixel;
     if (pixel && !walk.fault) record_again(state);
     set_bug(state, walk.fault);
+    offer_changes(state);
   }
   if (state.walk.bug) state.walk.bug->known = false;
   if (step.step->pixel || !stays) state.lessons.first_pixel = pixel ? 0 : first_pixel(state.lessons);
@@ -231,6 +251,8 @@ bool open_lesson(State& state, const std::string& name, std::optional<int> step)
   }
   sitting.open = opened;
   sitting.answered.clear();
+  sitting.changes.clear();
+  sitting.told_of_changes = false;
   read_progress(state);
   sitting.last = name;
   if (!sitting.left_at.contains(name)) sitting.first_tries.erase(name);  // it begins anew
@@ -250,6 +272,7 @@ void LessonRoom::close(State& state) {
   if (state.lessons.open) set_bug(state, std::nullopt);
   state.lessons.open.reset();
   state.lessons.own.reset();
+  state.lessons.changes.clear();
   state.lessons.guess = {};
   state.lessons.revealed = false;
 }
@@ -266,7 +289,10 @@ void action::ShowLessons::apply(State& state) const {
   state.appearance.front = Front::lesson;
   // In Focus the list could not be seen.
   if (opens && state.lessons.at() == nullptr) SetFocus{false}.apply(state);
-  if (opens && state.lessons.at() != nullptr && state.lessons.at()->walk->fault) stage(state);
+  if (opens && state.lessons.at() != nullptr && state.lessons.at()->walk->fault) {
+    keep_changes(state);
+    stage(state);
+  }
   if (state.walk.mode == Mode::help) state.walk.mode = Mode::trace;
   read_list(state);
 }
@@ -279,8 +305,7 @@ void action::OpenLesson::apply(State& state) const {
   const auto row = std::find_if(rows.begin(), rows.end(), [&](const LessonRow& each) { return each.name == name; });
   if (row == rows.end()) return complain(state, fill("lesson.unknown", state.appearance.language, {{"name", name}}));
   if (row->locked) return inform(state, std::string(text("lesson.locked", state.appearance.language)));
-  if (state.lessons.open) return begin_lesson(state, name);
-  ask_or_do(state, {"question.unsaved_open", begin_lesson}, name);
+  ask_or_do(state, {state.lessons.open ? "question.unsaved_lesson_open" : "question.unsaved_open", begin_lesson}, name);
 }
 
 void action::LeaveLesson::apply(State& state) const {
@@ -306,13 +331,17 @@ void action::GoToLessonStep::apply(State& state) const {
   write_progress(state);
   if (to >= panel.steps) return LeaveLesson{}.apply(state);
   const bool jumps = to < sitting.step || to > sitting.step + 1, asks_again = to == sitting.step || sitting.presenter;
-  sitting.step = to;
+  const bool was_changed = state.document.dirty;
+  keep_changes(state);
+  const int from = std::exchange(sitting.step, to);
   sitting.exchanged = {};
   state.focus.tab = false;
   reset_settings(state);
   if (state.document.notice && state.document.notice->kind == Notice::Kind::info) state.document.notice.reset();
   if (jumps) show_as_left(state);
-  stage(state);
+  stage(state, to != from && has_changes(sitting));
+  if (was_changed && !state.document.dirty && !state.document.notice && !std::exchange(sitting.told_of_changes, true))
+    inform(state, fill("lesson.changes_kept", state.appearance.language, {{"step", from + 1}}));
   FitView{}.apply(state);  // a step speaks of the whole, wherever the one before it was looked at closely
   // Who looks back finds the answer that was there; a presenter asks another class.
   if (const auto answered = sitting.answered.find(to); answered != sitting.answered.end() && !asks_again) {
@@ -363,6 +392,7 @@ void action::RevealLesson::apply(State& state) const {
   if (!is_staged(state)) {
     const LessonGuess guess = sitting.guess;
     const std::vector<int> hands = sitting.hands;
+    keep_changes(state);
     stage(state);
     sitting.guess = guess;
     sitting.hands = hands;

@@ -3,6 +3,7 @@
 
 #include "io/scene_file.h"
 #include "lesson/play.h"
+#include "view/document/room.h"
 #include "view/fields.h"
 #include "view/picture/room.h"
 #include "view/room.h"
@@ -77,8 +78,7 @@ struct ListLessons {
   static constexpr Traits traits{.keeps_drag = true, .keeps_tween = true, .answers_prompt = true};
   void apply(State& state) const;
 };
-/// At the first unfinished step, unless it is locked; asks first if there is unsaved work. Changes during a lesson
-/// belong to the lesson, and are none.
+/// At the first unfinished step, unless it is locked; asks first if there is unsaved work, of an open lesson too.
 struct OpenLesson {
   static constexpr std::string_view word = "open-lesson";
   std::string name;
@@ -86,11 +86,13 @@ struct OpenLesson {
   static constexpr Traits traits{.of_own_scene = true};
   void apply(State& state) const;
 };
-/// Back to the list, and to the previous scene.
+/// Back to the list, and to the previous scene; asks first if the lesson's was changed.
 struct LeaveLesson {
   static constexpr std::string_view word = "leave-lesson";
   void apply(State& state) const;
 };
+/// Changes of the scene stay with their step: the other one is shown as it was written, and whoever comes back can redo
+/// them.
 struct GoToLessonStep {
   static constexpr std::string_view word = "lesson-step";
   int step;  ///< from 0; past the last: finished, back to the list. Not past an unanswered question
@@ -190,6 +192,8 @@ struct LessonRoom {
   LessonGuess guess;
   std::vector<int> hands;               ///< of a class, for each choice of this step
   std::map<int, LessonGuess> answered;  ///< the guesses of the steps of `open` that were revealed
+  std::map<int, History> changes;       ///< what was changed in steps of `open`, to be redone there
+  bool told_of_changes = false;         ///< that they are kept, while `open` is
   std::map<std::string, FirstTries, std::less<>> first_tries;  ///< of each lesson, since it was begun
   bool presenter = false;                                      ///< shows of hands, every lesson open, and the notes
   bool notes = false;               ///< the pane shows presenter's script and teacher's notes

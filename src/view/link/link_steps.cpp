@@ -309,9 +309,8 @@ void action::SetLinkPage::apply(State& state) const {
 void action::OpenLink::apply(State& state) const {
   const auto read = read_link(link);
   if (!read) return refuse_link(state, read.error());
-  // A hunt keeps the scene until its end. Changes during a lesson belong to the lesson.
-  if (read->bug > 0 || state.lessons.open) return open_link(state, link);
-  ask_or_do(state, {"question.unsaved_link", open_link}, link);
+  if (read->bug > 0) return open_link(state, link);  // a hunt keeps the scene until its end
+  ask_or_do(state, {state.lessons.open ? "question.unsaved_lesson_link" : "question.unsaved_link", open_link}, link);
 }
 
 }  // namespace raywalk
