@@ -55,6 +55,12 @@ void Interface::grant(const Ui& ui) {
       case WindowWish::breakpoints:
         open_breakpoints_ = true;
         break;
+      case WindowWish::lesson_number:
+        lesson_.ask_for_number(false);
+        break;
+      case WindowWish::missing_lesson_number:
+        lesson_.ask_for_number(true);
+        break;
       case WindowWish::properties:
         unfold();
         focus_properties_ = true;

@@ -231,46 +231,95 @@ void cure(const Ui& ui, ImVec2 extent) {
 }
 
 // A number has no letters but those of "2x" and "1e-7": others are slips of the hand, or commands.
-int without_letters(ImGuiInputTextCallbackData* typed) {
-  const ImWchar letter = typed->EventChar;
+bool is_slip(ImWchar letter) {
   const bool is_letter = (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z');
-  return is_letter && letter != 'e' && letter != 'E' && letter != 'x' ? 1 : 0;
+  return is_letter && letter != 'e' && letter != 'E' && letter != 'x';
+}
+
+// Digits that were typed before the field had the keyboard stay: ImGui selects them, so that the next would replace
+// them.
+int without_letters(ImGuiInputTextCallbackData* typed) {
+  if (typed->EventFlag == ImGuiInputTextFlags_CallbackCharFilter) return is_slip(typed->EventChar) ? 1 : 0;
+  if (!*static_cast<const bool*>(typed->UserData)) return 0;
+  typed->CursorPos = typed->BufTextLen;
+  typed->ClearSelection();
+  return 0;
+}
+
+// Whether a number is asked for and nobody has typed one. Enter then shows no answer, for it ends what is typed, and is
+// soon pressed by mistake: an answer that was seen cannot be predicted any more. Presenters go on by that key.
+bool is_missing_number(const State& state, const LessonPanel& panel) {
+  return panel.asks == Asks::number && !state.lessons.revealed && !state.lessons.presenter &&
+         !state.lessons.guess.number;
+}
+
+// What is typed in this frame, up to so many characters; nobody else gets it.
+std::string take_typed(std::size_t most) {
+  std::string taken;
+  ImVector<ImWchar>& typed = ImGui::GetIO().InputQueueCharacters;
+  for (const ImWchar letter : typed)
+    if (letter > ' ' && letter < 0x7f && !is_slip(letter) && taken.size() < most) taken += static_cast<char>(letter);
+  typed.resize(0);
+  return taken;
 }
 
 }  // namespace
 
+void LessonPane::ask_for_number(bool missed) {
+  wanted_ = until_typed;
+  missed_ = missed;
+}
+
 void LessonPane::number(const Ui& ui, const LessonPanel& panel, bool is_new, bool takes_keys) {
   const bool revealed = ui.state.lessons.revealed;
-  if (is_new && takes_keys && !revealed) ImGui::SetKeyboardFocusHere();
+  const auto guess_typed = [&] {
+    ui.act(
+        action::GuessNumber{typed_guess(ui.state.lessons, number_).value_or(std::numeric_limits<double>::quiet_NaN())});
+  };
+  if ((is_new && takes_keys && !revealed) || wanted_ == until_typed) ImGui::SetKeyboardFocusHere();
   // While nobody types here the guess decides: it may be of another visit, or typed elsewhere.
   const std::optional<double>& guess = ui.state.lessons.guess.number;
   if (!types_ && typed_guess(ui.state.lessons, number_) != guess)
     number_ = guess ? typeset_number(fmt::format("{:.10g}", *guess), ui.state.appearance.language) : "";
   char typed[32] = {};
+  // ImGui gives a field the keyboard a frame later than asked: until then what is typed is lost to it.
+  bool begins = wanted_ > 0 && !types_;
+  if (begins) {
+    const std::string begun = take_typed(sizeof typed - 1 - std::min(number_.size(), sizeof typed - 1));
+    number_ += begun;
+    if (!begun.empty()) guess_typed();
+  }
   number_.copy(typed, sizeof typed - 1);
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x * 0.5f);
-  const bool entered = ImGui::InputText("##number", typed, sizeof typed,
-                                        ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackCharFilter |
-                                            (revealed ? ImGuiInputTextFlags_ReadOnly : 0),
-                                        without_letters);
+  const bool entered =
+      ImGui::InputText("##number", typed, sizeof typed,
+                       ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackCharFilter |
+                           ImGuiInputTextFlags_CallbackAlways | (revealed ? ImGuiInputTextFlags_ReadOnly : 0),
+                       without_letters, &begins);
   types_ = ImGui::IsItemActive();
+  wanted_ = types_ ? 0 : std::max(wanted_ - 1, 0);
   ui.publish("lesson-number");
   if (number_ != typed) {
     number_ = typed;
-    ui.act(
-        action::GuessNumber{typed_guess(ui.state.lessons, number_).value_or(std::numeric_limits<double>::quiet_NaN())});
+    guess_typed();
   }
   // Who typed something wants it judged, also where the answer may be shown without.
   const bool is_unread = !number_.empty() && !typed_guess(ui.state.lessons, number_);
-  const bool reveals = panel.can_reveal && !is_unread;
+  const bool is_missing = number_.empty() && is_missing_number(ui.state, panel);
+  const bool reveals = panel.can_reveal && !is_unread && !is_missing;
   if (entered && reveals) ui.act(action::RevealLesson{});
   // Keys typed next still go to this field, not to the walk.
   if (entered && !reveals) ImGui::SetKeyboardFocusHere(-1);
+  missed_ = is_missing && (missed_ || entered);
   if (!panel.unit.empty()) {
     ImGui::SameLine();
     label(ui.colours.text, panel.unit);
   }
   if (is_unread && !revealed) paragraph(ui.colours.error, ui.say("lesson.not_a_number"));
+  if (missed_) {
+    paragraph(ui.colours.error, ui.say("lesson.nothing_typed"));
+    ui.publish("lesson-nothing-typed");
+  }
 }
 
 std::optional<float> LessonPane::question(const Ui& ui, const LessonPanel& panel, bool is_new, bool is_low) {
@@ -313,6 +362,10 @@ void LessonPane::draw(const Ui& ui, const Rect& where) {
                                                   : "");
   const bool is_new = shown_for_ != shown_for;
   if (is_new && !sitting.revealed) number_.clear();
+  if (is_new) {
+    wanted_ = 0;
+    missed_ = false;
+  }
   shown_for_ = shown_for;
   // A scroll bar that appears makes lines shorter, and more of them.
   settling_ = is_new ? 3 : std::max(settling_ - 1, 0);
@@ -388,7 +441,10 @@ bool lesson_by_key(const KeyPress& press, const Ui& ui) {
   }
   // Digits beside the field of a number that is asked for are meant for it.
   const bool is_digit = press.key.size() == 1 && press.key[0] >= '0' && press.key[0] <= '9';
-  if (is_digit && panel.asks == Asks::number && !state.lessons.revealed && !panel.astray) return true;
+  if (is_digit && panel.asks == Asks::number && !state.lessons.revealed && !panel.astray) {
+    ui.wish(WindowWish::lesson_number);
+    return true;
+  }
   // A digit too many, or a class's hand too late, is a slip, and must not change what a step is.
   if (panel.asks == Asks::choice && state.lessons.presenter && digit >= 0 && digit < 9) return true;
   if (panel.asks == Asks::choice && !state.lessons.revealed && !panel.astray && digit >= 0 && digit < 9) return true;
@@ -403,6 +459,8 @@ bool lesson_by_key(const KeyPress& press, const Ui& ui) {
   const auto next = std::find_if(panel.rows.begin(), panel.rows.end(), [](const LessonRow& row) { return row.next; });
   if (state.lessons.at() == nullptr && next != panel.rows.end()) {
     ui.act(action::OpenLesson{next->name});
+  } else if (is_missing_number(state, panel)) {
+    ui.wish(WindowWish::missing_lesson_number);
   } else if (panel.can_reveal) {
     ui.act(action::RevealLesson{});
   } else if (panel.can_go_on) {

@@ -99,14 +99,19 @@ class LessonPane {
   void draw(const Ui& ui, const Rect& where);
   /// Whether its field for a number has the keyboard.
   [[nodiscard]] bool types() const { return types_; }
+  /// Gives that the keyboard, and takes what is typed until it has it. `missed`: says that nothing was typed.
+  void ask_for_number(bool missed);
 
  private:
+  static constexpr int until_typed = 3;  ///< frames
   /// Returns where the guess stands, in the pane's content, if there is one that the pane shows.
   std::optional<float> question(const Ui& ui, const LessonPanel& panel, bool is_new, bool is_low);
   void number(const Ui& ui, const LessonPanel& panel, bool is_new, bool takes_keys);
 
   std::string number_;     ///< as typed
   bool types_ = false;     ///< whether somebody types it
+  int wanted_ = 0;         ///< for so many more frames it may get the keyboard
+  bool missed_ = false;    ///< Enter was pressed, and nothing typed
   std::string shown_for_;  ///< the step that `number_` and the scrolling belong to
   int settling_ = 0;       ///< for so many more frames what is new is scrolled into view
   int hands_ = 0;          ///< of the class, for this step, in the last frame

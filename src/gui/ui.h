@@ -22,12 +22,14 @@ namespace raywalk {
 /// A request that concerns the window and not the state.
 enum class WindowWish {
   full_screen,
-  menu,            ///< opens the first menu, or the one after the open one
-  properties,      ///< focuses the first field of the properties
-  image_settings,  ///< opens the settings of the 3-D picture
-  cost_knobs,      ///< opens the knobs of the Cost panel
-  breakpoints,     ///< opens the breakpoints and the go-to field
-  line_up,         ///< these scroll the help text
+  menu,                   ///< opens the first menu, or the one after the open one
+  properties,             ///< focuses the first field of the properties
+  image_settings,         ///< opens the settings of the 3-D picture
+  cost_knobs,             ///< opens the knobs of the Cost panel
+  breakpoints,            ///< opens the breakpoints and the go-to field
+  lesson_number,          ///< a lesson's field for a number gets the keyboard, and the digit that was pressed
+  missing_lesson_number,  ///< the same field gets the keyboard, and says that nothing was typed
+  line_up,                ///< these scroll the help text
   line_down,
   page_up,
   page_down,

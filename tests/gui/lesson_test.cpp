@@ -33,6 +33,15 @@ State with_lessons() {
   return state;
 }
 
+/// By Escape, which also takes back what was typed since the field has had the keyboard.
+void leave_field(Bench& bench) {
+  for (const bool down : {true, false}) {
+    bench.hold(ImGuiKey_Escape, down);
+    bench.frames(3);
+  }
+  REQUIRE_FALSE(ImGui::GetIO().WantTextInput);
+}
+
 /// Opens a lesson where it asks for a number, with all unlocked.
 void ask_for_a_number(Bench& bench) {
   bench.resize(1280, 720);
@@ -177,8 +186,65 @@ TEST_CASE("a prediction that is no number is said to be none, and shows no answe
     CHECK_FALSE(is_revealed_by(unread));
   }
   CHECK(is_revealed_by("0.5"));
-  // Where nothing is predicted it is shown on request.
-  CHECK(is_revealed_by(""));
+}
+
+TEST_CASE("Enter shows no answer where no number was typed, and says so; Reveal does, and presenters go on") {
+  Bench bench(with_lessons());
+  ask_for_a_number(bench);
+  REQUIRE(bench.interface().types_number());
+  SECTION("in the field") { bench.enter(); }
+  SECTION("beside it") {
+    leave_field(bench);
+    bench.key("Enter");
+  }
+  CHECK_FALSE(bench.state.lessons.revealed);
+  CHECK(bench.has("lesson-nothing-typed"));
+  CHECK(bench.interface().types_number());
+  bench.type("0");
+  CHECK_FALSE(bench.has("lesson-nothing-typed"));
+  CHECK(bench.state.lessons.guess.number == 0);
+  leave_field(bench);
+  REQUIRE_FALSE(bench.state.lessons.guess.number);
+  bench.click("lesson-reveal");
+  CHECK(bench.state.lessons.revealed);
+  update(bench.state, action::SetLessonOptions{true, false});
+  update(bench.state, action::GoToLessonStep{1});
+  bench.frames(3);
+  REQUIRE_FALSE(bench.state.lessons.revealed);
+  leave_field(bench);
+  bench.key("Enter");
+  CHECK(bench.state.lessons.revealed);
+}
+
+TEST_CASE("digits that are typed beside a lesson's field for a number go into it") {
+  Bench bench(with_lessons());
+  ask_for_a_number(bench);
+  const auto stroke = [&](const std::string& digit) {  // the key, and what it types
+    ImGui::GetIO().AddInputCharactersUTF8(digit.c_str());
+    bench.key(digit);
+  };
+  leave_field(bench);
+  for (const std::string digit : {"3", "7", "5"}) stroke(digit);
+  CHECK(bench.interface().types_number());
+  CHECK(bench.state.lessons.guess.number == 375);
+  // Behind what stands there.
+  bench.click("lesson-about");
+  REQUIRE_FALSE(ImGui::GetIO().WantTextInput);
+  stroke("1");
+  CHECK(bench.state.lessons.guess.number == 3751);
+  // Those that come while the field is given the keyboard.
+  leave_field(bench);
+  update(bench.state, action::GuessNumber{std::nan("")});
+  bench.frames(2);
+  bench.settle = 1;
+  stroke("4");
+  ImGui::GetIO().AddInputCharactersUTF8("2");
+  bench.frames(3);
+  CHECK(bench.state.lessons.guess.number == 42);
+  bench.settle = 3;
+  bench.enter();
+  CHECK(bench.state.lessons.revealed);
+  CHECK(bench.state.lessons.first_tries[bench.state.lessons.last].judged() == 1);
 }
 
 TEST_CASE("a lesson's field holds what was guessed, and nothing once that is forgotten") {
