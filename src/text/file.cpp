@@ -276,6 +276,19 @@ Result<bool> make_new_file(const std::string& path) {
   return tl::unexpected(cannot("write", path, errno, hint_for_writing(errno, false)));
 }
 
+Result<std::string> set_aside(const std::string& path) {
+  constexpr int most = 99;
+  for (int i = 1; i <= most; ++i) {
+    const std::string kept = path + ".damaged" + (i == 1 ? std::string() : "-" + std::to_string(i));
+    std::error_code failed;
+    if (std::filesystem::exists(std::filesystem::symlink_status(kept, failed))) continue;
+    std::filesystem::rename(path, kept, failed);
+    if (failed) return tl::unexpected(cannot("rename", path, failed.value(), hint_for_writing(failed.value(), false)));
+    return kept;
+  }
+  return tl::unexpected(cannot("rename", path, EEXIST, "remove what was kept of it before"));
+}
+
 Result<void> write_file_atomically(const std::string& path, std::string_view bytes) {
   FileWriter file;
   if (const auto opened = file.open(path); !opened) return opened;

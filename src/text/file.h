@@ -53,6 +53,10 @@ class FileWriter {
 /// Creates an empty file; false if one of this name exists.
 [[nodiscard]] Result<bool> make_new_file(const std::string& path);
 
+/// Renames a file that cannot be made sense of, so that it is not replaced and somebody may still mend it: "a.json"
+/// into "a.json.damaged", or with a number behind that. Returns its new path.
+[[nodiscard]] Result<std::string> set_aside(const std::string& path);
+
 /// Writes `bytes` as the file `path`, all or nothing: into a new file beside it, which then takes its name. Whatever
 /// fails or kills the program, the old file stays whole. A symbolic link keeps pointing at its file, which is what is
 /// replaced; permissions (owner and group too, where allowed) are kept. Special files (/dev/stdout, a pipe) are written

@@ -75,6 +75,22 @@ TEST_CASE("a file is written and read back, bytes of every kind") {
   CHECK(folder.entries() == 1);
 }
 
+TEST_CASE("what is set aside keeps its bytes, and what was set aside before") {
+  const TemporaryFolder folder;
+  for (const char* bytes : {"one", "two"}) {
+    REQUIRE(write_file_atomically(folder.file("a"), bytes));
+    const auto kept = set_aside(folder.file("a"));
+    REQUIRE(kept);
+    CHECK(contents(*kept) == bytes);
+    CHECK_FALSE(std::filesystem::exists(folder.file("a")));
+  }
+  CHECK(contents(folder.file("a.damaged")) == "one");
+  CHECK(contents(folder.file("a.damaged-2")) == "two");
+  const auto none = set_aside(folder.file("a"));
+  REQUIRE_FALSE(none);
+  CHECK(none.error().file == folder.file("a"));
+}
+
 TEST_CASE("a new file gets the permissions that the umask leaves, an old one keeps its own") {
   const TemporaryFolder folder;
   const mode_t old_mask = ::umask(027);

@@ -12,6 +12,7 @@
 #include "fixtures.h"
 #include "support/catch.h"
 #include "support/languages.h"
+#include "text/file.h"
 #include "view/action.h"
 #include "view/plan/painter.h"
 #include "view/plan/plan_view.h"
@@ -570,6 +571,58 @@ TEST_CASE("a lesson whose folder's name is no UTF-8 is walked like any other") {
   update(state, action::GoToLessonStep{1});
   CHECK(state.lessons.step == 1);
   CHECK(std::filesystem::exists(folder.file("state/lessons.json")));
+}
+
+TEST_CASE("a damaged file of what is finished is kept beside the new one, and told of") {
+  const test::TemporaryFolder folder;
+  const std::string file = folder.file("lessons.json"), kept = file + ".damaged";
+  const std::string cut = "{\"done\": {\"01-ray-casting\": 5";
+  REQUIRE(write_file_atomically(file, cut));
+  State state = make_state(read_scene(root + "/scenes/classic.toml").value(), {}, folder.path());
+  state.lessons.folder = root + "/lessons";
+  state.lessons.scenes_folder = root + "/scenes";
+  state.appearance.language = test::in_english;
+  const auto is_told = [&](const std::string& name) {
+    const auto& said = state.document.notice;
+    return said && said->kind == Notice::Kind::error && said->text.find(name) != std::string::npos;
+  };
+  SECTION("as the list is shown") { update(state, action::ShowLessons{true}); }
+  SECTION("as a lesson is opened, which shows another scene") { update(state, action::OpenLesson{"01-ray-casting"}); }
+  CHECK(is_told(kept));
+  CHECK(read_file(kept, 1 << 20).value() == cut);
+  update(state, action::DismissNotice{});
+  update(state, action::OpenLesson{"01-ray-casting"});
+  update(state, action::GoToLessonStep{1});
+  CHECK_FALSE(state.document.notice);
+  CHECK(with_lessons(folder.path()).lessons.done["01-ray-casting"] == 1);
+  // Another one does not replace the first.
+  REQUIRE(write_file_atomically(file, ""));
+  update(state, action::GoToLessonStep{0});
+  CHECK(is_told(kept + "-2"));
+  CHECK(read_file(kept, 1 << 20).value() == cut);
+}
+
+TEST_CASE("that what is finished cannot be written is said once") {
+  const test::TemporaryFolder folder;
+  const std::string blocked = folder.file("blocked");
+  REQUIRE(write_file_atomically(blocked, "a file where a folder is wanted"));
+  State state = with_lessons(blocked);
+  REQUIRE_FALSE(state.document.notice);
+  update(state, action::OpenLesson{"01-ray-casting"});
+  REQUIRE(state.document.notice);
+  CHECK(state.document.notice->kind == Notice::Kind::error);
+  CHECK_THAT(state.document.notice->text, test::contains("next start"));
+  update(state, action::DismissNotice{});
+  update(state, action::GoToLessonStep{1});
+  CHECK_FALSE(state.document.notice);
+  // Once it was written, a failure is news again.
+  std::filesystem::remove(blocked);
+  update(state, action::GoToLessonStep{0});
+  CHECK(std::filesystem::exists(folder.file("blocked/lessons.json")));
+  std::filesystem::remove_all(blocked);
+  REQUIRE(write_file_atomically(blocked, ""));
+  update(state, action::GoToLessonStep{1});
+  CHECK(state.document.notice);
 }
 
 TEST_CASE("lessons that were unlocked stay so where other options change before the list is read") {

@@ -26,14 +26,28 @@ constexpr std::size_t max_progress = 1 << 16;  // bytes
 
 std::string progress_path(const State& state) { return state.document.state_dir + "/lessons.json"; }
 
+void say_not_kept(State& state, const Error& why) {
+  if (std::exchange(state.lessons.cannot_be_kept, true)) return;
+  state.lessons.unsaid = fill("lesson.progress_not_kept", state.appearance.language, {{"why", why.text()}});
+}
+
+/// Of a file that holds no progress, such as one that was cut off: it may still be mended by hand.
+void set_progress_aside(State& state) {
+  const Result<std::string> kept = set_aside(progress_path(state));
+  if (!kept) return say_not_kept(state, kept.error());
+  state.lessons.unsaid = fill("lesson.progress_damaged", state.appearance.language, {{"file", *kept}});
+}
+
 /// What another window, or an earlier sitting, has written: adds what it has finished and predicted and where it was,
-/// and takes over whether lessons are unlocked. Progress is a convenience: failures are ignored.
+/// and takes over whether lessons are unlocked.
 void read_progress(State& state) {
   if (state.document.state_dir.empty()) return;
-  const auto bytes = read_file(progress_path(state), max_progress);
-  if (!bytes) return;
-  const auto json = nlohmann::json::parse(*bytes, nullptr, false);
-  if (!json.is_object()) return;
+  const std::string path = progress_path(state);
+  std::error_code failed;
+  if (!std::filesystem::is_regular_file(path, failed)) return;  // none yet, or one that cannot be reached
+  const auto bytes = read_file(path, max_progress);
+  const auto json = bytes ? nlohmann::json::parse(*bytes, nullptr, false) : nlohmann::json();
+  if (!json.is_object()) return set_progress_aside(state);
   const auto each_step = [&](const char* key, const auto& take) {
     if (const auto steps = json.find(key); steps != json.end() && steps->is_object())
       for (const auto& [name, step] : steps->items())
@@ -60,7 +74,7 @@ void read_progress(State& state) {
 }
 
 /// Once it was read: what others have written meanwhile is part of it.
-void write_progress(const State& state) {
+void write_progress(State& state) {
   if (state.document.state_dir.empty()) return;
   nlohmann::json tries = nlohmann::json::object();
   for (const auto& [name, of] : state.lessons.first_tries)
@@ -74,7 +88,9 @@ void write_progress(const State& state) {
   std::error_code error;
   std::filesystem::create_directories(state.document.state_dir, error);
   const std::string text = json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);  // names may be anything
-  static_cast<void>(write_file_atomically(progress_path(state), text + "\n"));
+  const Result<void> written = write_file_atomically(progress_path(state), text + "\n");
+  if (!written) return say_not_kept(state, written.error());
+  state.lessons.cannot_be_kept = false;
 }
 
 void read_list(State& state) {
@@ -275,6 +291,14 @@ void LessonRoom::close(State& state) {
   state.lessons.changes.clear();
   state.lessons.guess = {};
   state.lessons.revealed = false;
+}
+
+/// After the action: a scene that it has opened has taken back what was said before.
+void LessonRoom::follow(State& state, const Before& /*before*/) {
+  if (state.lessons.unsaid.empty()) return;
+  std::string words = std::exchange(state.lessons.unsaid, {});
+  if (state.document.notice) words += "\n" + state.document.notice->text;
+  complain(state, std::move(words));
 }
 
 void action::ShowLessons::apply(State& state) const {

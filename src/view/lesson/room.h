@@ -179,6 +179,7 @@ struct LessonRoom {
                         action::ShowHands, action::SetLessonOptions, action::ExchangePanes, action::ShowNotesWindow>;
   static Commands commands();
   static void close(State& state);
+  static void follow(State& state, const Before& before);
 
   std::string folder, scenes_folder;  ///< of the lessons, and of the shipped scenes; empty: none
   bool shown = false;
@@ -202,6 +203,8 @@ struct LessonRoom {
   std::array<bool, 2> exchanged{};  ///< what this step enlarges and the plan, by hand; in Move and in Trace
   std::map<std::string, int, std::less<>> done;     ///< finished steps of each lesson
   std::map<std::string, int, std::less<>> left_at;  ///< the step at which each was left, if not at its end
+  std::string unsaid;           ///< what went wrong with the file of all that, to be said after the action
+  bool cannot_be_kept = false;  ///< it was not written the last time: said once
 
   /// The lesson of the list that has this name; null if there is none.
   [[nodiscard]] const LessonEntry* entry(std::string_view name) const {
