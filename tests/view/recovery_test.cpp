@@ -195,14 +195,61 @@ TEST_CASE("an autosave that cannot be read is reported and harms nothing") {
   const TemporaryFolder folder;
   std::filesystem::create_directories(folder.file("state"));
   REQUIRE(write_file_atomically(folder.file("state/autosave.toml"), "# autosave of: /x.toml\nnonsense = ["));
+  const auto begun = [&] {
+    State state = make_state({busy_scene(), {}, {}}, {}, folder.file("state"));
+    state.appearance.language = in_english;
+    restore_session(state);
+    return state;
+  };
+  State state = begun();
+  REQUIRE(state.document.question);
+  // It says nothing of when it was written; its file does.
+  CHECK_THAT(question_panel(state).text, Catch::Matchers::Matches(".* on 20[0-9]{2}-[01][0-9]-[0-3][0-9] at .*"));
+  SECTION("it is kept, and nobody is asked about it again") {
+    update(state, action::AnswerQuestion{Answer::recover});
+    CHECK_FALSE(state.document.question);
+    CHECK(state.scene() == busy_scene());
+    CHECK_FALSE(state.document.dirty);
+    REQUIRE(state.document.notice);
+    CHECK(state.document.notice->kind == Notice::Kind::error);
+    CHECK_THAT(state.document.notice->text, contains("autosave.toml:2") && contains("autosave.toml.damaged"));
+    CHECK_THAT(read_file(folder.file("state/autosave.toml.damaged"), 1 << 20).value(), contains("nonsense"));
+    CHECK_FALSE(begun().document.question);
+  }
+  SECTION("an earlier one is offered then") {
+    REQUIRE(write_file_atomically(folder.file("state/autosave-2.toml"),
+                                  "# autosave of: /other.toml\n" + format_scene(busy_scene()).value()));
+    std::filesystem::last_write_time(folder.file("state/autosave-2.toml"),
+                                     std::filesystem::file_time_type::clock::now() - std::chrono::hours(1));
+    update(state, action::AnswerQuestion{Answer::recover});
+    REQUIRE(state.document.question);
+    CHECK(state.document.question->path == "/other.toml");
+    update(state, action::AnswerQuestion{Answer::recover});
+    CHECK_FALSE(state.document.question);
+    CHECK(state.document.path == "/other.toml");
+  }
+}
+
+TEST_CASE("an empty autosave holds no work: it is removed without a word") {
+  const TemporaryFolder folder;
+  State crashed = saved_state(folder);
+  make_dirty(crashed);
+  update(crashed, action::Tick{1});
+  const std::string whole = folder.file("state/autosave.toml"), empty = folder.file("state/autosave-2.toml");
+  REQUIRE(std::filesystem::exists(whole));
+  crash(crashed);
+  REQUIRE(write_file_atomically(empty, ""));
   State state = make_state({busy_scene(), {}, {}}, {}, folder.file("state"));
   restore_session(state);
-  update(state, action::AnswerQuestion{Answer::recover});
-  CHECK(state.scene() == busy_scene());
+  CHECK_FALSE(std::filesystem::exists(empty));
   REQUIRE(state.document.question);
-  CHECK_THAT(question_panel(state).text, contains("autosave.toml:2"));
-  update(state, action::AnswerQuestion{Answer::discard});
+  CHECK(state.document.question->path == folder.file("scene.toml"));
+  state.document.question.reset();
+  REQUIRE(write_file_atomically(whole, ""));
+  restore_session(state);
   CHECK_FALSE(state.document.question);
+  CHECK_FALSE(state.document.notice);
+  CHECK_FALSE(std::filesystem::exists(whole));
 }
 
 TEST_CASE("an autosave whose scene lacks a file is asked about again, and recovered once that is there") {

@@ -6,6 +6,8 @@
 #include "view/document/document.h"
 #include "view/text/text.h"
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <array>
 #include <ctime>
@@ -35,13 +37,18 @@ std::string autosave_name(int number) {
   return number == 1 ? "autosave.toml" : "autosave-" + std::to_string(number) + ".toml";
 }
 
-/// The current time as in ISO 8601, without seconds: "2026-11-21T14:05".
-std::string now_text() {
-  const std::time_t now = std::time(nullptr);
+/// A time as in ISO 8601, without seconds: "2026-11-21T14:05".
+std::string time_text(std::time_t time) {
   std::tm parts{};
   std::array<char, 64> text{};
-  if (localtime_r(&now, &parts) != nullptr) std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M", &parts);
+  if (localtime_r(&time, &parts) != nullptr) std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M", &parts);
   return text.data();
+}
+
+/// When a file was last written; now, if nobody knows.
+std::time_t time_of(const std::string& path) {
+  struct stat status{};
+  return ::stat(path.c_str(), &status) == 0 ? status.st_mtime : std::time(nullptr);
 }
 
 /// The rest of the line at `begin` after `head`, and the start of the next line; nothing if there is no such line.
@@ -55,6 +62,20 @@ std::optional<HeadLine> head_line(const std::string& text, std::size_t begin, st
   return HeadLine{text.substr(begin + head.size(), end - begin - head.size()), std::min(end + 1, text.size())};
 }
 
+/// Keeps an autosave that cannot be read under another name: no window will ask about it again.
+void give_up_autosave(State& state, const std::string& path, const Error& why) {
+  const Result<std::string> kept = set_aside(path);
+  complain(state, fill("notice.autosave_damaged", state.appearance.language,
+                       {{"why", why.text()}, {"file", kept ? *kept : path}}));
+}
+
+/// What is wrong with an autosave itself; nothing if it is whole, and only lacks a file that it names.
+std::optional<Error> why_damaged(const std::string& path) {
+  const Result<SceneDocument> own = read_scene_text(path).and_then(
+      [&](const std::string& text) { return parse_scene(text, path, MeshReading::skip); });
+  return own ? std::nullopt : std::optional(own.error());
+}
+
 /// Offers to recover the latest autosave of earlier sessions, if any. Those of windows that still run are theirs.
 void ask_to_recover(State& state) {
   std::filesystem::file_time_type latest{};
@@ -64,16 +85,23 @@ void ask_to_recover(State& state) {
     std::error_code missing;
     const std::string name = autosave_name(i), path = file_in(state, name.c_str());
     const auto written = std::filesystem::last_write_time(path, missing);
-    if (missing || name == state.document.autosave_file || (!found.empty() && written <= latest)) continue;
+    if (missing || name == state.document.autosave_file || !std::filesystem::is_regular_file(path, missing)) continue;
+    const bool is_empty = std::filesystem::file_size(path, missing) == 0;
+    if (!is_empty && !found.empty() && written <= latest) continue;
     auto free = FileHold::take(path);
     if (!free) continue;
+    if (is_empty) {  // a name that a session took, which then wrote nothing
+      std::filesystem::remove(path, missing);
+      continue;
+    }
     latest = written;
     found = name;
     hold = std::move(free);
   }
   if (found.empty()) return;
-  const Result<std::string> autosaved = read_file(file_in(state, found.c_str()), max_bytes);
-  if (!autosaved) return;
+  const std::string path = file_in(state, found.c_str());
+  const Result<std::string> autosaved = read_file(path, max_bytes);
+  if (!autosaved) return give_up_autosave(state, path, autosaved.error());
   state.document.question = Question{Question::Kind::recover, {}, {}, found, std::move(hold), {}};
   std::size_t next = 0;
   if (const auto line = head_line(*autosaved, 0, autosave_head)) {
@@ -81,7 +109,8 @@ void ask_to_recover(State& state) {
     if (std::filesystem::path(line->value).is_absolute()) state.document.question->path = line->value;
     next = line->next;
   }
-  if (const auto line = head_line(*autosaved, next, time_head)) state.document.question->when = line->value;
+  const auto line = head_line(*autosaved, next, time_head);
+  state.document.question->when = line ? line->value : time_text(time_of(path));
 }
 /// Gives this session's autosave a name that no other one has: another window may have started with the same folder.
 void claim_autosave(State& state) {
@@ -115,8 +144,8 @@ Result<void> write_autosave(const State& state) {
   if (!written) return tl::unexpected(written.error());
   drop_utf8_marks(*written);  // below the head lines no scene may begin with one
   return write_in_folder(state, path,
-                         std::string(autosave_head) + state.document.path + "\n" + std::string(time_head) + now_text() +
-                             "\n" + written.value());
+                         std::string(autosave_head) + state.document.path + "\n" + std::string(time_head) +
+                             time_text(std::time(nullptr)) + "\n" + written.value());
 }
 
 /// Removes this session's autosave, if there is one; the next is given a name anew.
@@ -188,8 +217,13 @@ void discard_autosave(State& state, const std::string& autosave) {
 
 void recover(State& state, const Question& question) {
   const std::string& original = question.path;
-  Result<SceneDocument> document = read_scene(file_in(state, question.autosave.c_str()));
+  const std::string autosaved = file_in(state, question.autosave.c_str());
+  Result<SceneDocument> document = read_scene(autosaved);
   if (!document) {
+    if (const auto why = why_damaged(autosaved)) {
+      give_up_autosave(state, autosaved, *why);
+      return ask_to_recover(state);
+    }
     // A page begins without the user's files: once it has those that the scene names, this goes well.
     state.document.question = question;
     state.document.question->why_not = document.error().text();
