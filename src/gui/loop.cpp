@@ -16,6 +16,7 @@
 #include "gui/style.h"
 #include "text/file.h"
 #include "view/document/document.h"
+#include "view/opening.h"
 #include "view/outline.h"
 
 #include <algorithm>
@@ -75,6 +76,7 @@ class Loop::Parts {
     pass_time();
     for (const KeyPress& key : window_.minimised() ? window_.drop_keys() : window_.take_keys()) press(key);
     if (window_.take_key_release()) let_go();
+    open_dropped();
     if (window_.take_close_request()) close();
     if (!broken_ && !window_.minimised()) {
       work_on_structures();
@@ -155,6 +157,16 @@ class Loop::Parts {
     if (window_.minimised()) return act_from_outside(action::Quit{});  // no frame would come
     if (animation_) finish_animation();
     interface_.act_after_typing(action::Quit{});
+    frames_due_ = frames_to_settle;
+    apply();
+  }
+
+  // What is being typed is work too, as for `close`.
+  void open_dropped() {
+    const std::vector<std::string> dropped = window_.take_dropped();
+    if (broken_ || dropped.empty()) return;
+    if (animation_) finish_animation();
+    for (const Action& action : opening_among(state_, dropped)) interface_.act_after_typing(action);
     frames_due_ = frames_to_settle;
     apply();
   }

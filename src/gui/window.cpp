@@ -210,6 +210,11 @@ void Window::listen() {
     self.input_.emplace_back(Button{button, action == GLFW_PRESS, self.pointer_});
   });
   glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double) { window_of(w)->happened_ = true; });
+  platform::hear_drops(window_, [](GLFWwindow* w, int count, const char** paths) {
+    Window& self = *window_of(w);
+    self.happened_ = true;
+    self.dropped_.assign(paths, paths + count);
+  });
   glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int) { window_of(w)->happened_ = true; });
   glfwSetWindowSizeCallback(window_, [](GLFWwindow* w, int, int) { window_of(w)->happened_ = true; });
   glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { window_of(w)->happened_ = true; });
@@ -265,7 +270,7 @@ bool Window::look(bool input) {
   glfwPollEvents();
   if (close_requested_ || !input) return close_requested_;
   const bool drags = happened_ && glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS;
-  return drags || input_.size() > due_ || platform::input_waits();
+  return drags || input_.size() > due_ || !dropped_.empty() || platform::input_waits();
 }
 
 bool Window::Key::edits() const { return (ctrl && !alt) || !writes(key); }
@@ -331,6 +336,8 @@ std::vector<KeyPress> Window::drop_keys() {
 bool Window::take_key_release() { return std::exchange(key_released_, false); }
 
 bool Window::take_close_request() { return std::exchange(close_requested_, false); }
+
+std::vector<std::string> Window::take_dropped() { return std::exchange(dropped_, {}); }
 
 void Window::set_title(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
 

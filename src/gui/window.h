@@ -55,6 +55,8 @@ class Window {
   [[nodiscard]] bool take_key_release();
   /// Whether the user asked the window to close since the last call.
   [[nodiscard]] bool take_close_request();
+  /// The paths of the files and folders that were dropped on the window last, since the last call.
+  [[nodiscard]] std::vector<std::string> take_dropped();
 
   /// Keys pressed in that window are this one's from now on.
   void hear(GLFWwindow* other);
@@ -106,6 +108,7 @@ class Window {
   bool backends_ = false;
   Place pointer_{-1, -1};                                    ///< after the last event
   std::vector<std::variant<Button, Key, Character>> input_;  ///< what no frame has shown to ImGui yet, in order
+  std::vector<std::string> dropped_;                         ///< that nobody has taken yet
   std::size_t due_ = 0;                                      ///< so many of `input_` are the next frame's
   bool happened_ = true, close_requested_ = false, shown_ = false, key_released_ = false;
 };

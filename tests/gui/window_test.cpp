@@ -1,14 +1,20 @@
 // The real program in a real window, driven as a person would. Pictures of what was seen are kept beside the program,
 // in window-test.
 
+#include <GLFW/glfw3.h>
+
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <string>
+#include <vector>
 
 #include "gui/desktop.h"
+#include "gui/window.h"
 #include "io/scene_file.h"
 #include "support/catch.h"
+#include "support/effort.h"
 
 using namespace raywalk;
 using namespace raywalk::test;
@@ -381,4 +387,31 @@ TEST_CASE("a program that is closed before its own picture says that there is no
   CHECK(raywalk.wait(250) == 1);
   CHECK_THAT(raywalk.said(), contains("own.png: not written"));
   CHECK_FALSE(fs::exists(path));
+}
+
+TEST_CASE("the window hears of files that are dropped on it", "[window]") {
+  NEEDS_A_DESKTOP
+  if (sanitized) return;  // what drivers allocate once and keep would be a leak of this program's
+  const Desktop desktop(640, 480);
+  // xdotool drops no files: what GLFW would call is called here.
+  const char* const display = std::getenv("DISPLAY");
+  const std::string before = display == nullptr ? "" : display;
+  setenv("DISPLAY", desktop.display().c_str(), 1);
+  setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
+  {
+    const auto window = Window::open("drops", 320, 240);
+    REQUIRE(window.has_value());
+    GLFWwindow* const handle = glfwGetCurrentContext();
+    const GLFWdropfun dropped = glfwSetDropCallback(handle, nullptr);
+    REQUIRE(dropped != nullptr);
+    CHECK((*window)->take_dropped().empty());
+    const char* paths[] = {"/a/one.toml", "/a/b c.ply"};
+    dropped(handle, 2, paths);
+    CHECK((*window)->take_dropped() == std::vector<std::string>{"/a/one.toml", "/a/b c.ply"});
+    CHECK((*window)->take_dropped().empty());
+  }
+  if (before.empty())
+    unsetenv("DISPLAY");
+  else
+    setenv("DISPLAY", before.c_str(), 1);
 }

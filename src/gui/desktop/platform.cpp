@@ -4,6 +4,7 @@
 
 #include <GLFW/glfw3.h>
 
+#include <cstdlib>
 #include <cstring>
 
 namespace raywalk::platform {
@@ -16,6 +17,10 @@ void hint_window() {
 const char* shading_language() { return "#version 150"; }
 
 void connect_clipboard() {}  // ImGui's GLFW backend has done so
+
+void hear_drops(GLFWwindow* window, void (*dropped)(GLFWwindow* window, int count, const char** paths)) {
+  glfwSetDropCallback(window, dropped);
+}
 
 void follow_surroundings(GLFWwindow* /*window*/) {}
 
@@ -50,6 +55,11 @@ void toggle_full_screen(GLFWwindow* window) {
 bool can_quit() { return true; }
 
 bool has_file_chooser() { return false; }
+
+std::string home_folder() {
+  const char* const home = std::getenv("HOME");
+  return home != nullptr && home[0] == '/' ? home : "";
+}
 
 void choose_files() {}
 

@@ -12,12 +12,14 @@
 #include "text/text_file.h"
 #include "view/document/document.h"
 #include "view/link/link.h"
+#include "view/opening.h"
 
 #include <emscripten/em_js.h>
 #include <emscripten/emscripten.h>
 #include <unistd.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -25,6 +27,7 @@
 #include <new>
 #include <string>
 #include <string_view>
+#include <vector>
 
 // clang-format off
 EM_JS(void, raywalk_fail, (const char* text), { Module["fail"](UTF8ToString(text)); });
@@ -181,17 +184,15 @@ EMSCRIPTEN_KEEPALIVE const char* page_told() {
 
 /// Opens the first scene among these files, one a line; asks before it drops changes.
 EMSCRIPTEN_KEEPALIVE void page_open(const char* paths) {
-  std::string_view rest = paths;
-  std::string_view chosen = rest.substr(0, rest.find('\n'));
-  while (!rest.empty()) {
+  std::vector<std::string> chosen;
+  for (std::string_view rest = paths; !rest.empty();) {
     const std::string_view path = rest.substr(0, rest.find('\n'));
     rest.remove_prefix(std::min(path.size() + 1, rest.size()));
-    if (!has_scene_ending(path)) continue;
-    // A mesh may lie beside the scene that it belongs to.
-    chosen = path;
-    if (scene_format_of(path) == SceneFormat::toml) break;
+    chosen.emplace_back(path);
   }
-  guarded([&] { page_loop().act(action::Open{std::string(chosen)}); });
+  guarded([&] {
+    for (const Action& action : opening_among(page_loop().state(), chosen)) page_loop().act(action);
+  });
 }
 
 /// What was saved there is not in the user's file: refused, where `why` is empty. False if another scene is open by

@@ -58,6 +58,8 @@ void connect_clipboard() {
   };
 }
 
+void hear_drops(GLFWwindow* /*window*/, void (* /*dropped*/)(GLFWwindow*, int, const char**)) {}  // page.js does
+
 void follow_surroundings(GLFWwindow* window) {
   int width = 0, height = 0, page_width = 0, page_height = 0;
   raywalk_follow_pixel_ratio();
@@ -75,6 +77,8 @@ void toggle_full_screen(GLFWwindow* /*window*/) { raywalk_toggle_full_screen(); 
 bool can_quit() { return false; }
 
 bool has_file_chooser() { return true; }
+
+std::string home_folder() { return {}; }
 
 void choose_files() { raywalk_choose_files(); }
 
