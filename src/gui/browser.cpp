@@ -7,6 +7,8 @@
 #include "text/file_path.h"
 #include "view/document/document.h"
 #include "view/export/export.h"
+#include "view/link/link.h"
+#include "view/opening.h"
 #include "view/text/text.h"
 
 #include <algorithm>
@@ -103,18 +105,32 @@ std::string Browser::name() const {
   return asking_ != PathPrompt::export_walk || export_kind_of(typed_) == kind() ? typed_ : with_ending(typed_, kind());
 }
 
+std::string Browser::in_folder(const std::string& path) const {
+  return fs::path(path).is_absolute() ? path : (fs::path(folder_) / path).string();
+}
+
+void Browser::open(const Ui& ui) {
+  std::error_code none;
+  const bool is_file = fs::exists(in_folder(typed_), none);
+  const std::string meant = is_file ? typed_ : path_meant(typed_, platform::home_folder());
+  if (meant.empty()) return;
+  // A shipped scene by its name, and a link, as on the command line.
+  const std::string path = in_folder(meant), shipped = shipped_path(ui.state, meant);
+  const bool exists = fs::exists(path, none);
+  std::string named = path;
+  if (!exists && !fs::path(meant).has_parent_path() && fs::exists(shipped, none)) named = shipped;
+  if (!exists && means_link(meant)) named = meant;
+  for (const Action& action : opening_of(ui.state, named)) ui.act(action);
+}
+
 void Browser::accept(const Ui& ui) {
   if (typed_.empty()) return;
   focus_typed_ = true;  // if it fails, another name follows
+  if (opens(asking_)) return open(ui);
+  typed_ = path_meant(typed_, platform::home_folder());
+  if (typed_.empty()) return;
   typed_ = name();
-  const fs::path typed(typed_);
-  std::string path = typed.is_absolute() ? typed_ : (fs::path(folder_) / typed).string();
-  // A shipped scene by its name, as on the command line.
-  const std::string shipped = shipped_path(ui.state, typed_);
-  std::error_code none;
-  if (opens(asking_) && !fs::exists(path, none) && !typed.has_parent_path() && fs::exists(shipped, none))
-    path = shipped;
-  if (opens(asking_)) ui.act(action::Open{path});
+  const std::string path = in_folder(typed_);
   if (asking_ == PathPrompt::save_as) ui.act(action::SaveAs{path});
   if (asking_ == PathPrompt::save_predictions) ui.act(action::SavePredictions{path});
   if (asking_ == PathPrompt::export_walk) {
@@ -307,12 +323,12 @@ void Browser::draw(const Ui& ui, const std::string& home, GalleryPictures* pictu
   }
 
   if (std::exchange(focus_typed_, false)) ImGui::SetKeyboardFocusHere();
-  std::array<char, 4096> buffer{};
+  std::array<char, 4096 + max_link> buffer{};
   std::strncpy(buffer.data(), typed_.c_str(), buffer.size() - 1);
   ImGui::SetNextItemWidth(-1);
   const bool entered =
-      ImGui::InputTextWithHint("##path", ui.say("dialog.path").c_str(), buffer.data(), buffer.size(),
-                               ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+      ImGui::InputTextWithHint("##path", ui.say(saves ? "dialog.path" : "dialog.path_or_link").c_str(), buffer.data(),
+                               buffer.size(), ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   typed_ = buffer.data();
   ui.publish("browser-path");
   const ImVec2 large{ui.px(130), line};

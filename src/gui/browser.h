@@ -40,6 +40,8 @@ class Browser {
   /// A button for each kind, and a description of the chosen one.
   void kinds(const Ui& ui);
   void accept(const Ui& ui);
+  void open(const Ui& ui);
+  [[nodiscard]] std::string in_folder(const std::string& path) const;
 
   PathPrompt asking_ = PathPrompt::none;
   std::optional<ExportKind> export_asked_;  ///< independent of the typed extension

@@ -196,7 +196,8 @@ class Loop::Parts {
     }
     const Result<Action> action = outlined_action(state_, does, typed);
     if (!action) return tl::unexpected(action.error());
-    act(*action);
+    const auto* open = action->as<action::Open>();
+    for (const Action& each : open != nullptr ? opening_of(state_, open->path) : std::vector{*action}) act(each);
     return {};
   }
 

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <charconv>
@@ -27,6 +28,52 @@ std::string absolute_path(const std::string& path) {
   // Behind a link to a folder, ".." leads elsewhere than the words say.
   fs::path plain = whole.lexically_normal();
   return (fs::equivalent(whole.parent_path(), plain.parent_path(), failed) ? plain : whole).string();
+}
+
+namespace {
+
+/// The path of a file:// address on this machine, or file:/; nothing if it is none.
+std::optional<std::string> path_of_address(std::string_view address) {
+  constexpr std::string_view scheme = "file:", host = "//", own_host = "localhost";
+  if (!address.starts_with(scheme)) return std::nullopt;
+  address.remove_prefix(scheme.size());
+  if (address.starts_with(host)) {
+    address.remove_prefix(host.size());
+    if (address.starts_with(own_host)) address.remove_prefix(own_host.size());
+  }
+  if (!address.starts_with('/')) return std::nullopt;
+  std::string path;
+  for (std::size_t i = 0; i < address.size(); ++i) {
+    unsigned char byte = 0;
+    const char* const digits = address.data() + i + 1;
+    if (address[i] == '%' && i + 2 < address.size()) {
+      const auto [end, error] = std::from_chars(digits, digits + 2, byte, 16);
+      if (error == std::errc() && end == digits + 2 && byte != 0) {
+        path += static_cast<char>(byte);
+        i += 2;
+        continue;
+      }
+    }
+    path += address[i];
+  }
+  return path;
+}
+
+}  // namespace
+
+std::string path_meant(std::string_view words, const std::string& home) {
+  constexpr std::string_view blanks = " \t\r\n";
+  const std::size_t first = std::min(words.find_first_not_of(blanks), words.size());
+  words.remove_prefix(first);
+  words = words.substr(0, words.find_last_not_of(blanks) + 1);
+  for (const char quote : {'"', '\''})
+    if (words.size() > 2 && words.front() == quote && words.back() == quote) {
+      words = words.substr(1, words.size() - 2);
+      break;
+    }
+  if (const auto path = path_of_address(words)) return *path;
+  const bool begins_at_home = !home.empty() && (words == "~" || words.starts_with("~/"));
+  return begins_at_home ? home + std::string(words.substr(1)) : std::string(words);
 }
 
 }  // namespace raywalk

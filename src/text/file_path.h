@@ -6,11 +6,15 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace raywalk {
 
 /// The same file by a path that leads to it from every working folder, such as a later session's.
 [[nodiscard]] std::string absolute_path(const std::string& path);
+/// The path that a person means who types or pastes these words: without blanks around them and the quotes that shells
+/// and file managers put, of a file:// address its path, with `home` for a ~ in front (empty: it stands for itself).
+[[nodiscard]] std::string path_meant(std::string_view words, const std::string& home);
 /// The ending of a file's name in small letters, ".png"; empty if it has none.
 [[nodiscard]] std::string ending_of(const std::string& path);
 

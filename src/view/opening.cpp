@@ -14,12 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether this is meant to be a link, even if it has been cut off.
-bool means_link(std::string_view named) {
-  return is_link(named) || named.starts_with("raywalk:") || named.starts_with("https://") ||
-         named.starts_with("http://");
-}
-
 /// The name of the lesson that this folder holds; empty if it is none that the window lists.
 std::string lesson_of(const State& state, const std::string& folder) {
   const fs::path plain = fs::path(folder + "/").lexically_normal().parent_path();
@@ -44,6 +38,11 @@ std::vector<std::string> files_in(const std::string& folder) {
 }
 
 }  // namespace
+
+bool means_link(std::string_view named) {
+  return is_link(named) || named.starts_with("raywalk:") || named.starts_with("https://") ||
+         named.starts_with("http://");
+}
 
 std::vector<Action> opening_of(const State& state, const std::string& named) {
   std::error_code unknown;

@@ -4,10 +4,13 @@
 #include "view/action.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace raywalk {
 
+/// Whether this is meant to be a link, even if it has been cut off, and no path.
+[[nodiscard]] bool means_link(std::string_view named);
 /// The actions that open a link, a lesson by its folder, or else a file; what cannot be opened is told by whoever reads
 /// it.
 [[nodiscard]] std::vector<Action> opening_of(const State& state, const std::string& named);

@@ -77,9 +77,10 @@ class Outliner {
     }();
     if (line.empty() || state_.document.question) return;  // the dialog comes back after the question
     OutlineItem& region = open("prompt", say("outline.asks"));
-    field(region, Role::path, "path", say("dialog.path"), line, offered_path(state_));
-    region.items.back().hint = say(line == "open {}" ? "command.open.label" : "command.save.label");
-    if (line == "open {}") shipped(region);
+    const bool opens = line == "open {}";
+    field(region, Role::path, "path", say(opens ? "dialog.path_or_link" : "dialog.path"), line, offered_path(state_));
+    region.items.back().hint = say(opens ? "command.open.label" : "command.save.label");
+    if (opens) shipped(region);
     button(region, "cancel", say("answer.cancel"), action::CancelPrompt{});
   }
 

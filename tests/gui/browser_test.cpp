@@ -194,6 +194,76 @@ TEST_CASE("a shipped scene is opened by its name, unless a file of this folder h
   CHECK(bench.last<action::Open>()->path == scenes / "nowhere");
 }
 
+TEST_CASE("a path may be pasted as shells, file managers and addresses write it") {
+  const Scenes scenes;
+  scenes.put("two words.toml", "");
+  Bench bench(asking(scenes / "a.toml", action::AskOpen{}));
+  bench.frames(4);
+  bench.obedient = false;
+  const auto opened = [&](const std::string& typed) {
+    bench.forget();
+    bench.type(typed);
+    bench.enter();
+    REQUIRE(bench.last<action::Open>() != nullptr);
+    return bench.last<action::Open>()->path;
+  };
+  CHECK(opened("  " + scenes / "inner/c.toml" + " ") == scenes / "inner/c.toml");
+  CHECK(opened("'" + scenes / "two words.toml" + "'") == scenes / "two words.toml");
+  CHECK(opened("file://" + scenes.path().string() + "/two%20words.toml") == scenes / "two words.toml");
+  CHECK(opened("\"b.toml\"") == scenes / "b.toml");
+  scenes.put("'b.toml'", "");  // a file that is really called so
+  CHECK(opened("'b.toml'") == scenes / "'b.toml'");
+}
+
+TEST_CASE("what is saved goes where the path leads that was pasted in quotes") {
+  const Scenes scenes;
+  Bench bench(asking(scenes / "a.toml", action::AskSaveAs{}));
+  bench.frames(4);
+  bench.obedient = false;
+  bench.type(" '" + scenes / "inner/new.toml" + "' ");
+  bench.enter();
+  REQUIRE(bench.last<action::SaveAs>() != nullptr);
+  CHECK(bench.last<action::SaveAs>()->path == scenes / "inner/new.toml");
+}
+
+TEST_CASE("a link is opened by the field for a path, and one that is none keeps the dialog and says why") {
+  State state = classic();
+  state.lessons.scenes_folder = RAYWALK_SOURCE_DIR "/scenes";
+  update(state, action::AskOpen{});
+  Bench bench(std::move(state));
+  bench.frames(4);
+  bench.type("raywalk:#v=9999/scene=glass");
+  bench.enter();
+  bench.frames(3);
+  CHECK(bench.state.document.prompt == PathPrompt::open);
+  REQUIRE(bench.state.document.notice);
+  CHECK(bench.state.document.notice->text.find("later version") != std::string::npos);
+  bench.type("https://an.example/of/links.html");
+  bench.enter();
+  bench.frames(3);
+  CHECK(bench.state.document.prompt == PathPrompt::open);
+  REQUIRE(bench.last<action::OpenLink>() != nullptr);
+  CHECK(bench.last<action::OpenLink>()->link == "https://an.example/of/links.html");
+  bench.type(" raywalk:#v=1/scene=glass/step=5 ");
+  bench.enter();
+  bench.frames(3);
+  CHECK(bench.state.document.prompt == PathPrompt::none);
+  CHECK(bench.state.scene() == read_scene(shipped_path(bench.state, "glass"))->scene);
+  CHECK(bench.state.walk.position == 5);
+}
+
+TEST_CASE("the longest link fits into the field for a path") {
+  const Scenes scenes;
+  Bench bench(asking(scenes / "a.toml", action::AskOpen{}));
+  bench.frames(4);
+  bench.obedient = false;
+  const std::string link = "https://a.example/#v=1/scene=glass/changes=" + std::string(7900, 'x');
+  bench.type(link);
+  bench.enter();
+  REQUIRE(bench.last<action::OpenLink>() != nullptr);
+  CHECK(bench.last<action::OpenLink>()->link == link);
+}
+
 TEST_CASE("saving begins with the file's own name and folder") {
   const Scenes scenes;
   Bench bench(asking(scenes / "b.toml", action::AskSaveAs{}));

@@ -350,3 +350,21 @@ TEST_CASE("a file is held by one alone, until that lets go, and the file itself 
   const auto one = FileHold::take(nowhere), two = FileHold::take(nowhere);
   CHECK((one && two));
 }
+
+TEST_CASE("a path is meant where it is pasted with quotes, blanks, as an address or from the home folder") {
+  CHECK(path_meant("scenes/a b.toml", "/home/me") == "scenes/a b.toml");
+  CHECK(path_meant("  /x/a.toml \n", "/home/me") == "/x/a.toml");
+  CHECK(path_meant("'/x/it is.toml' ", "/home/me") == "/x/it is.toml");
+  CHECK(path_meant("\" a.toml\"", "/home/me") == " a.toml");
+  CHECK(path_meant("\"half.toml", "/home/me") == "\"half.toml");
+  CHECK(path_meant("file:///x/a%20b%C3%A9.toml", "/home/me") == "/x/a bé.toml");
+  CHECK(path_meant("file://localhost/x/a.toml", "/home/me") == "/x/a.toml");
+  CHECK(path_meant("file:/x/100%.toml", "/home/me") == "/x/100%.toml");
+  CHECK(path_meant("file:///x/%zz%00%4", "/home/me") == "/x/%zz%00%4");
+  CHECK(path_meant("file://another/x/a.toml", "/home/me") == "file://another/x/a.toml");
+  CHECK(path_meant("~/a.toml", "/home/me") == "/home/me/a.toml");
+  CHECK(path_meant("~", "/home/me") == "/home/me");
+  CHECK(path_meant("~you/a.toml", "/home/me") == "~you/a.toml");
+  CHECK(path_meant("~/a.toml", "") == "~/a.toml");
+  CHECK(path_meant(" \t ", "/home/me").empty());
+}

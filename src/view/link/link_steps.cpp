@@ -225,6 +225,10 @@ void open_link(State& state, const std::string& address) {
   if (!opened->empty()) inform_above(state, *opened);
 }
 
+bool has_complaint(const State& state) {
+  return state.document.notice && state.document.notice->kind == Notice::Kind::error;
+}
+
 void show_link(State& state) {
   LinkRoom& room = state.link;
   const auto link = link_of(state);
@@ -309,8 +313,15 @@ void action::SetLinkPage::apply(State& state) const {
 void action::OpenLink::apply(State& state) const {
   const auto read = read_link(link);
   if (!read) return refuse_link(state, read.error());
-  if (read->bug > 0) return open_link(state, link);  // a hunt keeps the scene until its end
-  ask_or_do(state, {state.lessons.open ? "question.unsaved_lesson_link" : "question.unsaved_link", open_link}, link);
+  const PathPrompt prompt = std::exchange(state.document.prompt, PathPrompt::none);
+  const bool asked = prompt == PathPrompt::open || prompt == PathPrompt::start;
+  if (asked && has_complaint(state)) state.document.notice.reset();  // about what was tried before
+  if (read->bug > 0)  // a hunt keeps the scene until its end
+    open_link(state, link);
+  else
+    ask_or_do(state, {state.lessons.open ? "question.unsaved_lesson_link" : "question.unsaved_link", open_link}, link);
+  // If it cannot be opened, the dialog stays and says why.
+  if (asked && !state.document.question && has_complaint(state)) state.document.prompt = prompt;
 }
 
 }  // namespace raywalk

@@ -27,12 +27,12 @@ struct SetLinkPage {
   static void fields(auto& f, auto& a) { f(a.address); }
   void apply(State& state) const;
 };
-/// Asks first if there is unsaved work.
+/// Asks first if there is unsaved work. Where a dialog asks what to open, it stays if this cannot be.
 struct OpenLink {
   static constexpr std::string_view word = "open-link";
   std::string link;  ///< a whole address, or what stands in it from the # on
   static void fields(auto& f, auto& a) { f(a.link); }
-  static constexpr Traits traits{.of_own_scene = true};
+  static constexpr Traits traits{.answers_prompt = true, .of_own_scene = true};
   void apply(State& state) const;
 };
 
