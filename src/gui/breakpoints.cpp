@@ -37,7 +37,7 @@ void BreakpointsPopup::draw(const Ui& ui, const Rect& code, bool open) {
   form.heading("breakpoints.title");
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
   label(ui.colours.dim_text, ui.say("breakpoints.hint"));
-  if (breakpoints_in_force(state) != state.walk.breakpoints) label(ui.colours.error, ui.say("breakpoints.off"));
+  if (breakpoints_in_force(state) != breakpoints_here(state)) label(ui.colours.error, ui.say("breakpoints.off"));
   ImGui::PopTextWrapPos();
   action::StopAt next = stops_chosen(state);
   bool changed = form.whole("breakpoints.at_depth", next.depth, 0, deepest_stop);
@@ -57,7 +57,7 @@ void BreakpointsPopup::draw(const Ui& ui, const Rect& code, bool open) {
   command_button(ui, command("run-on"), extent, look);
   ImGui::SameLine();
   if (button(ui, "remove-breakpoints", ui.say("breakpoints.remove"), "", extent, look, false,
-             state.walk.breakpoints.any()))
+             breakpoints_here(state).any()))
     ui.act(action::RemoveBreakpoints{});
 }
 

@@ -98,7 +98,7 @@ Commands WalkRoom::commands() {
       {.name = "break-here", .keys = {"Ctrl+B"}, .section = Section::run, .line = "keys.breaks", .enabled = goes_on,
        .chosen = breaks_here, .run = break_here},
       {.name = "breakpoints", .keys = {"B", "J"}, .section = Section::run, .line = "keys.breaks",
-       .chosen = [](const State& state) { return state.walk.breakpoints.any(); }, .run = wish<WindowWish::breakpoints>},
+       .chosen = [](const State& state) { return breakpoints_here(state).any(); }, .run = wish<WindowWish::breakpoints>},
       {.name = "mode-move", .keys = {"M"}, .section = Section::modes, .line = "keys.modes", .chosen = is_in<Mode::move>,
        .run = act<action::SetMode, Mode::move>},
       {.name = "mode-trace", .keys = {"T"}, .section = Section::modes, .line = "keys.modes",

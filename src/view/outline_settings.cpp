@@ -41,7 +41,7 @@ std::string with_gap(const Action& action, int argument) {
 void outline_breakpoints(const State& state, OutlineItem& region) {
   const Language language = state.appearance.language;
   const auto say = [&](std::string_view id) { return std::string(text(id, language)); };
-  if (breakpoints_in_force(state) != state.walk.breakpoints) add(region, Role::warning, "off", say("breakpoints.off"));
+  if (breakpoints_in_force(state) != breakpoints_here(state)) add(region, Role::warning, "off", say("breakpoints.off"));
   const action::StopAt now = stops_chosen(state);
   field(region, Role::number, "depth", say("breakpoints.at_depth"), with_gap(now, 0), std::to_string(now.depth));
   field(region, Role::number, "pixel", say("breakpoints.at_pixel"), with_gap(now, 1), std::to_string(now.pixel));
@@ -55,7 +55,7 @@ void outline_breakpoints(const State& state, OutlineItem& region) {
     button(region, fmt::format("object-{}", next.object), say("breakpoints.at_object") + ": " + name, next).chosen =
         next.object == now.object;
   }
-  button(region, "remove", say("breakpoints.remove"), action::RemoveBreakpoints{}, state.walk.breakpoints.any());
+  button(region, "remove", say("breakpoints.remove"), action::RemoveBreakpoints{}, breakpoints_here(state).any());
 }
 
 void outline_properties(const State& state, OutlineItem& region) {

@@ -113,6 +113,48 @@ TEST_CASE("where else a walk stops leaves its lines, and is removed with them") 
   CHECK_FALSE(state.walk.breakpoints.any());
 }
 
+TEST_CASE("a stop at an object follows it when it is renamed, and when that is undone or done again") {
+  State state = at_start();
+  const Scene before = state.scene();
+  update(state, action::StopAt{0, -1, false, 1});
+  update(state, action::RunOn{});
+  const int stop = state.walk.position;
+  REQUIRE(stop < state.walk.timeline->steps());
+  const auto check_it_stops = [&](const std::string& name) {
+    CHECK(state.walk.breakpoints.object == name);
+    CHECK(stops_chosen(state).object == 1);
+    update(state, action::Jump{0});
+    update(state, action::RunOn{});
+    CHECK(state.walk.position == stop);
+  };
+  update(state, action::Rename{{TargetKind::object, 1}, "Marble"});
+  check_it_stops("Marble");
+  update(state, action::Undo{});
+  check_it_stops(before.objects[1].name);
+  update(state, action::Redo{});
+  check_it_stops("Marble");
+  // Another's new name is none of its.
+  update(state, action::Rename{{TargetKind::object, 0}, "Pebble"});
+  check_it_stops("Marble");
+}
+
+TEST_CASE("a stop at an object that is gone is told nowhere, and comes back with the object") {
+  State state = at_start();
+  update(state, action::StopAt{0, -1, false, 1});
+  state.plan.selected = {TargetKind::object, 1};
+  update(state, action::RemoveSelected{});
+  CHECK(stops_chosen(state).object == -1);
+  CHECK_FALSE(breakpoints_here(state).any());
+  CHECK_FALSE(breakpoints_in_force(state).any());
+  update(state, action::Undo{});
+  CHECK(stops_chosen(state).object == 1);
+  CHECK(breakpoints_here(state).any());
+  // Where another is gone it is the same object as before.
+  state.plan.selected = {TargetKind::object, 0};
+  update(state, action::RemoveSelected{});
+  CHECK(stops_chosen(state).object == 0);
+}
+
 TEST_CASE("STEP goes faster the longer it is held, and stops when it is let go") {
   State state = at_start();
   update(state, action::Hold{true});

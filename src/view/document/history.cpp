@@ -112,7 +112,21 @@ void step_history(State& state, History& from, History& to, std::string_view whe
 
 }  // namespace
 
+namespace {
+
+/// A walk goes on stopping at an object that is called otherwise in `next`. One that is gone may come back by Undo.
+void rename_stop(std::string& stop, const Scene& before, const Scene& next) {
+  const auto at = std::find_if(before.objects.begin(), before.objects.end(),
+                               [&](const Object& object) { return object.name == stop; });
+  if (stop.empty() || at == before.objects.end()) return;
+  const int found = found_again(static_cast<int>(at - before.objects.begin()), before.objects, next.objects);
+  if (found >= 0) stop = next.objects[static_cast<std::size_t>(found)].name;
+}
+
+}  // namespace
+
 void replace_scene(State& state, Scene next) {
+  rename_stop(state.walk.breakpoints.object, state.scene(), next);
   if (!state.document.saved) state.document.saved = std::move(state.document.contents.scene);
   state.document.contents.scene = std::move(next);
   state.document.worlds = std::make_shared<WorldCache>();

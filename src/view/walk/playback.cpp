@@ -225,9 +225,15 @@ double hold_rate(double seconds) {
   return std::min(slowest * std::exp2(seconds), fastest);
 }
 
+Breakpoints breakpoints_here(const State& state) {
+  Breakpoints here = state.walk.breakpoints;
+  if (stops_chosen(state).object < 0) here.object.clear();
+  return here;
+}
+
 Breakpoints breakpoints_in_force(const State& state) {
   const PlayedStep* step = state.lessons.shown ? state.lessons.at() : nullptr;
-  return step != nullptr && !step->step->breakpoints ? Breakpoints{} : state.walk.breakpoints;
+  return step != nullptr && !step->step->breakpoints ? Breakpoints{} : breakpoints_here(state);
 }
 
 }  // namespace raywalk

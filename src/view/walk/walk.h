@@ -32,6 +32,8 @@ inline constexpr int deepest_stop = 99;  ///< that is offered
 
 /// Steps per second after holding STEP for this long.
 [[nodiscard]] double hold_rate(double seconds);
+/// The breakpoints, without that at an object which the scene does not have.
+[[nodiscard]] Breakpoints breakpoints_here(const State& state);
 /// The active breakpoints: none if the open lesson has disabled them.
 [[nodiscard]] Breakpoints breakpoints_in_force(const State& state);
 
