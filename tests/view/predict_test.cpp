@@ -237,6 +237,41 @@ TEST_CASE("a lesson's own questions and a hunt go before; a guess that was walke
   }
 }
 
+TEST_CASE("a question whose answer was seen is counted once, on another walk of the scene too") {
+  const PredictionKind what = GENERATE(PredictionKind::way, PredictionKind::end);
+  State state = predicting();
+  const RayKind kind = RayKind::reflect;
+  const auto predict = [&] {
+    update(state, action::Clear{});
+    to_question(state, what, kind);
+    if (what == PredictionKind::way)
+      update(state, action::GuessAngle{30});
+    else
+      update(state, action::GuessEnd{});
+    REQUIRE(state.predictions.open);
+    update(state, action::Step{});
+    REQUIRE(state.predictions.judged.size() == 1);
+  };
+  predict();
+  CHECK(state.predictions.made.size() == 1);
+  const auto walk = state.walk.timeline;
+  update(state, action::SwitchEffect{Effect::refraction, false});
+  REQUIRE(state.walk.timeline != walk);
+  update(state, action::SwitchEffect{Effect::refraction, true});
+  REQUIRE(state.predictions.judged.empty());
+  predict();
+  CHECK(state.predictions.made.size() == 1);
+  // In a scene that is another one the ray goes from elsewhere.
+  Camera camera = state.scene().camera;
+  camera.eye.y += 0.1;
+  update(state, action::SetCamera{camera});
+  predict();
+  CHECK(state.predictions.made.size() == 2);
+  update(state, action::Undo{});
+  predict();
+  CHECK(state.predictions.made.size() == 2);
+}
+
 TEST_CASE("predictions are saved as a table, and no file is written over unasked") {
   const TemporaryFolder folder;
   State state = predicting();

@@ -51,6 +51,12 @@ Target met_by(const RayRecord& ray) {
   return {};
 }
 
+/// Whether the question was the same, and has the same answer: about such a ray of the same scene, on whatever walk.
+bool asks_the_same(const PredictionRecord& a, const PredictionRecord& b) {
+  return a.scene == b.scene && a.kind == b.kind && a.what == b.what && a.origin == b.origin &&
+         a.direction == b.direction && a.met == b.met;
+}
+
 std::string name_of(const State& state, const Target& target) {
   return target ? target_text(state, target) : std::string(text("predict.nothing", state.appearance.language));
 }
@@ -171,11 +177,21 @@ void PredictRoom::follow(State& state, const Before&) {
   } else {
     judged.right = judged.met == met_by(ray);
   }
-  const bool seen = std::erase_if(predictions.judged, [&](const Prediction& one) { return one.of == asked; }) > 0;
+  std::erase_if(predictions.judged, [&](const Prediction& one) { return one.of == asked; });
   predictions.judged.push_back(judged);
-  if (seen) return;  // whoever guesses again has seen the answer
-  predictions.made.push_back(
-      {state.document.path, answered_at(state, asked), ray.kind, asked.what, judged.degrees, judged.right});
+  const PredictionRecord record{state.document.path,
+                                answered_at(state, asked),
+                                ray.kind,
+                                asked.what,
+                                judged.degrees,
+                                judged.right,
+                                ray.origin,
+                                ray.direction,
+                                asked.what == PredictionKind::end ? met_by(ray) : Target{}};
+  // Whoever guesses again has seen the answer.
+  const bool seen = std::any_of(predictions.made.begin(), predictions.made.end(),
+                                [&](const PredictionRecord& one) { return asks_the_same(one, record); });
+  if (!seen) predictions.made.push_back(record);
 }
 
 }  // namespace raywalk

@@ -41,6 +41,9 @@ struct PredictionRecord {
   PredictionKind what{};
   double degrees = 0;
   bool right = false;
+  // What was asked: the same of another walk, as after an effect was switched off and on, has been answered.
+  Vec3d origin{0.0}, direction{0.0};  ///< of the ray
+  Target met{};                       ///< for an end: what it did meet
 };
 
 }  // namespace raywalk
