@@ -3,8 +3,11 @@
 
 #include "fixtures.h"
 #include "support/catch.h"
+#include "support/languages.h"
 #include "text/file.h"
 #include "timeline/message.h"
+#include "view/document/question.h"
+#include "view/text/text.h"
 #include "view/walk/asked.h"
 
 #include <cmath>
@@ -270,6 +273,58 @@ TEST_CASE("a question whose answer was seen is counted once, on another walk of 
   update(state, action::Undo{});
   predict();
   CHECK(state.predictions.made.size() == 2);
+}
+
+TEST_CASE("leaving asks once about predictions that are not saved, after it has asked about the scene") {
+  const TemporaryFolder folder;
+  State state = predicting();
+  to_question(state, PredictionKind::way, RayKind::reflect);
+  update(state, action::GuessAngle{30});
+  update(state, action::Step{});
+  REQUIRE(state.predictions.made.size() == 1);
+  make_dirty(state);
+  using action::Answer;
+  const auto kind = [&] {
+    REQUIRE(state.document.question);
+    return state.document.question->kind;
+  };
+  // Called off at either.
+  update(state, action::Quit{});
+  CHECK(kind() == Question::Kind::unsaved);
+  update(state, action::AnswerQuestion{Answer::cancel});
+  CHECK_FALSE(state.document.question);
+  update(state, action::Quit{});
+  update(state, action::AnswerQuestion{Answer::discard});
+  CHECK(kind() == Question::Kind::predictions);
+  CHECK(question_panel(state).text == text("question.predictions_quit", in_english));
+  update(state, action::AnswerQuestion{Answer::cancel});
+  CHECK_FALSE(state.document.quit);
+  CHECK(state.document.dirty);
+  // The dialog for the file may be called off, too; what is then saved ends nothing.
+  update(state, action::Quit{});
+  update(state, action::AnswerQuestion{Answer::discard});
+  update(state, action::AnswerQuestion{Answer::save});
+  CHECK(state.document.prompt == PathPrompt::save_predictions);
+  update(state, action::CancelPrompt{});
+  update(state, action::SaveAs{folder.file("scene.toml")});
+  CHECK_FALSE(state.document.dirty);
+  CHECK_FALSE(state.document.quit);
+  State thrown_away = state, kept = state;
+  update(thrown_away, action::Quit{});
+  update(thrown_away, action::AnswerQuestion{Answer::discard});
+  CHECK(thrown_away.document.quit);
+  update(state, action::Quit{});
+  CHECK(kind() == Question::Kind::predictions);
+  update(state, action::AnswerQuestion{Answer::save});
+  update(state, action::SavePredictions{folder.file("no/such/folder.csv")});
+  CHECK_FALSE(state.document.quit);
+  update(state, action::SavePredictions{folder.file("mine.csv")});
+  CHECK(state.document.quit);
+  CHECK(read_file(folder.file("mine.csv"), 1 << 16).has_value());
+  // What is saved is not asked about.
+  update(kept, action::SavePredictions{folder.file("kept.csv")});
+  update(kept, action::Quit{});
+  CHECK(kept.document.quit);
 }
 
 TEST_CASE("predictions are saved as a table, and no file is written over unasked") {

@@ -57,6 +57,12 @@ void quit(State& state, const std::string& /*path*/) {
   state.document.quit = true;
 }
 
+/// Once unsaved work on the scene is settled.
+void quit_if_predictions_are_kept(State& state, const std::string& path) {
+  if (!state.predictions.unsaved()) return quit(state, path);
+  state.document.question = Question{Question::Kind::predictions, {"question.predictions_quit", quit}, {}};
+}
+
 /// If the file was written, continues with the pending intent.
 void write_to(State& state, const std::string& path) {
   action::FinishInk{}.apply(state);  // a text that is still in its field is meant to be there, too
@@ -246,7 +252,7 @@ void action::Quit::apply(State& state) const {
     return;
   }
   state.document.prompt = PathPrompt::none;
-  ask_or_do(state, {"question.unsaved_quit", quit}, {});
+  ask_or_do(state, {"question.unsaved_quit", quit_if_predictions_are_kept}, {});
 }
 
 void action::Open::apply(State& state) const {
@@ -317,12 +323,14 @@ void action::AnswerQuestion::apply(State& state) const {
   const Question question = *state.document.question;
   switch (question.kind) {
     case Question::Kind::unsaved:
+    case Question::Kind::predictions:
       if (answer == Answer::recover) return;
       state.document.question.reset();
       if (answer == Answer::discard) question.intent.carry_out(state, question.path);
       if (answer != Answer::save) return;
       state.document.after_save = question.intent;
       state.document.after_save_path = question.path;
+      if (question.kind == Question::Kind::predictions) return AskSavePredictions{}.apply(state);
       return Save{}.apply(state);
     case Question::Kind::recover:
       if (answer == Answer::save) return;

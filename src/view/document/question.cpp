@@ -43,6 +43,7 @@ QuestionPanel question_panel(const State& state) {
                                                        : std::filesystem::path(state.document.path).filename().string();
   switch (question.kind) {
     case Question::Kind::unsaved:
+    case Question::Kind::predictions:
       panel.text = fill(question.intent.question, state.appearance.language,
                         {{"file", file}, {"other", lesson_title(state, question.path)}});
       choice(Answer::save, "answer.save");

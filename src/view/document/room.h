@@ -44,9 +44,10 @@ inline constexpr Word<PathPrompt> words_of<PathPrompt>[] = {{PathPrompt::start, 
 
 struct Question {
   enum class Kind {
-    unsaved,    ///< answers: save, discard, cancel
-    recover,    ///< an autosave was found at the start; answers: recover, discard, cancel (asks at the next start)
-    overwrite,  ///< the file to be written exists, or others have changed it; answers: save, cancel
+    unsaved,      ///< answers: save, discard, cancel
+    predictions,  ///< were made and not saved; the same answers
+    recover,      ///< an autosave was found at the start; answers: recover, discard, cancel (asks at the next start)
+    overwrite,    ///< the file to be written exists, or others have changed it; answers: save, cancel
   };
   Kind kind = Kind::unsaved;
   Intent intent{};         ///< continues with this after save or discard
@@ -58,6 +59,7 @@ struct Question {
 };
 template <>
 inline constexpr Word<Question::Kind> words_of<Question::Kind>[] = {{Question::Kind::unsaved, "unsaved"},
+                                                                    {Question::Kind::predictions, "predictions"},
                                                                     {Question::Kind::recover, "recover"},
                                                                     {Question::Kind::overwrite, "overwrite"}};
 

@@ -316,6 +316,7 @@ void action::OpenLink::apply(State& state) const {
   const PathPrompt prompt = std::exchange(state.document.prompt, PathPrompt::none);
   const bool asked = prompt == PathPrompt::open || prompt == PathPrompt::start;
   if (asked && has_complaint(state)) state.document.notice.reset();  // about what was tried before
+  state.document.after_save.reset();
   if (read->bug > 0)  // a hunt keeps the scene until its end
     open_link(state, link);
   else

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace raywalk {
 
@@ -68,8 +69,12 @@ std::string said(const State& state, std::string_view id, const TextArguments& a
 void write_predictions(State& state, const std::string& path) {
   if (const auto written = write_file_atomically(path, prediction_table(state.predictions)); !written)
     return complain(state, written.error().text());
-  state.document.prompt = PathPrompt::none;
+  state.predictions.saved = state.predictions.made.size();
+  const PathPrompt asked = std::exchange(state.document.prompt, PathPrompt::none);
   inform(state, fill("notice.saved_as", state.appearance.language, {{"file", path}}));
+  if (asked != PathPrompt::save_predictions) return;
+  if (const std::optional<Intent> intent = std::exchange(state.document.after_save, std::nullopt))
+    intent->carry_out(state, state.document.after_save_path);
 }
 
 }  // namespace

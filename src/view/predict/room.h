@@ -6,6 +6,7 @@
 #include "view/fields.h"
 #include "view/room.h"
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -109,9 +110,11 @@ struct PredictRoom {
   std::optional<Prediction> open;             ///< in progress
   std::vector<Prediction> judged;             ///< of the current walk, in order
   std::vector<PredictionRecord> made;         ///< of all walks
+  std::size_t saved = 0;                      ///< of `made`, so many are in a file
   std::shared_ptr<const Timeline> of_walk{};  ///< of `open` and `judged`
 
   [[nodiscard]] int right() const;
+  [[nodiscard]] bool unsaved() const { return made.size() > saved; }
 };
 
 }  // namespace raywalk
