@@ -359,24 +359,29 @@ bool Form::text(const KeyLabel& of, std::string& value) {
   const std::string id = "##" + name_;
   before_field(id, width_ - label_width_);
   const bool naming = memory_.naming == id;
-  const std::string& shown = naming ? memory_.typed : value;
-  // Room for more than stands there already, which is never cut.
-  constexpr std::size_t more = 256;  // bytes
-  std::vector<char> buffer(shown.size() + more);
-  shown.copy(buffer.data(), shown.size());
+  // Has room for whatever is typed or pasted: ImGui would drop all of a paste that does not fit. Who takes the text
+  // says what is too long.
+  std::string buffer = naming ? memory_.typed : value;
+  const auto resize = [](ImGuiInputTextCallbackData* data) {
+    auto& text = *static_cast<std::string*>(data->UserData);
+    text.resize(static_cast<std::size_t>(data->BufTextLen));
+    data->Buf = text.data();
+    return 0;
+  };
   const bool is_kept = keeps_letters_of(value);
-  ImGui::InputText(id.c_str(), buffer.data(), buffer.size(), is_kept ? 0 : ImGuiInputTextFlags_ReadOnly);
+  ImGui::InputText(id.c_str(), buffer.data(), buffer.capacity() + 1,
+                   ImGuiInputTextFlags_CallbackResize | (is_kept ? 0 : ImGuiInputTextFlags_ReadOnly), resize, &buffer);
   ui_.publish(name_);
   if (!is_kept) tooltip(ui_, name_, ui_.say("property.letters_hint"));
   if (ImGui::IsItemActive()) {
     memory_.naming = id;
-    memory_.typed = buffer.data();
+    memory_.typed = buffer.c_str();
   }
   if (!ImGui::IsItemDeactivated()) return false;
   memory_.naming.clear();
   // Escape has restored the old text by now.
-  if (!ImGui::IsItemDeactivatedAfterEdit() || value == buffer.data()) return false;
-  value = buffer.data();
+  if (!ImGui::IsItemDeactivatedAfterEdit() || value == buffer.c_str()) return false;
+  value = buffer.c_str();
   return true;
 }
 

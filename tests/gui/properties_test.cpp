@@ -439,6 +439,50 @@ TEST_CASE("a name keeps its characters when it is edited, as long as it may be a
   }
 }
 
+TEST_CASE("a name that is pasted and too long is told to be so, and the old one stays") {
+  Bench bench(selected({TargetKind::object, 0}));
+  bench.frames(2);
+  const std::string before = bench.state.scene().objects[0].name;
+  bench.double_click(field("property.name"));
+  ImGui::SetClipboardText(std::string(300, 'a').c_str());
+#if IMGUI_VERSION_NUM < 18700
+  const auto hold_ctrl = [](bool down) { ImGui::GetIO().KeyCtrl = down; };
+#else
+  const auto hold_ctrl = [](bool down) { ImGui::GetIO().AddKeyEvent(ImGuiMod_Ctrl, down); };
+#endif
+  hold_ctrl(true);
+  bench.frames(1);
+  for (const ImGuiKey_ key : {ImGuiKey_A, ImGuiKey_V}) {  // in place of all that stands there
+    bench.hold(key, true);
+    bench.frames(1);
+    bench.hold(key, false);
+    bench.frames(1);
+  }
+  hold_ctrl(false);
+  bench.frames(1);
+  bench.enter();
+  REQUIRE(bench.last<action::Rename>() != nullptr);
+  CHECK(bench.last<action::Rename>()->name == std::string(300, 'a'));
+  CHECK(bench.state.scene().objects[0].name == before);
+  REQUIRE(bench.state.document.notice);
+  CHECK_THAT(bench.state.document.notice->text, contains("300"));
+}
+
+TEST_CASE("a name with characters that the field cannot hold is not taken without them") {
+  Bench bench(selected({TargetKind::object, 0}));
+  bench.frames(2);
+  const std::string before = bench.state.scene().objects[0].name;
+  bench.double_click(field("property.name"));
+  bench.type("\U0001F319");
+  bench.enter();
+  const std::string now = bench.state.scene().objects[0].name;
+  CHECK((now == before || now.find("\U0001F319") != std::string::npos));
+  if (now == before) {
+    REQUIRE(bench.state.document.notice);
+    CHECK(bench.state.document.notice->text == text("notice.refused_name_letters", in_english));
+  }
+}
+
 TEST_CASE("commands that no field has a use for take over what was typed, and then act") {
   Bench bench(selected({TargetKind::object, 0}));
   bench.frames(2);

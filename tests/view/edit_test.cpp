@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "support/catch.h"
+#include "support/languages.h"
 
 using namespace raywalk;
 using namespace raywalk::test;
@@ -246,6 +247,26 @@ TEST_CASE("an edit that would break the scene is refused and says why") {
     update(s, action::Select{{TargetKind::corner, 2, 3}});
     update(s, action::Nudge{{0, -20}, true});
   });
+}
+
+TEST_CASE("why a name is refused is told in the language of the window") {
+  for (const Language language : all_languages()) {
+    State state = busy_state();
+    state.appearance.language = language;
+    const Scene before = state.scene();
+    const auto refused = [&](const std::string& name) {
+      update(state, action::Rename{{TargetKind::object, 0}, name});
+      CHECK(state.scene() == before);
+      REQUIRE(state.document.notice);
+      return state.document.notice->text;
+    };
+    for (const char* blanks : {"", "   ", " \t"}) CHECK(refused(blanks) == text("notice.refused_name_empty", language));
+    CHECK(refused(std::string(101, 'a')) ==
+          fill("notice.refused_name_long", language, {{"bytes", 101}, {"most", 100}}));
+    CHECK(refused("Luna \uFFFD") == text("notice.refused_name_letters", language));
+    update(state, action::Rename{{TargetKind::object, 0}, std::string(100, 'a')});
+    CHECK(state.scene().objects[0].name == std::string(100, 'a'));
+  }
 }
 
 TEST_CASE("edits of what is not there do nothing") {

@@ -1,4 +1,5 @@
 #include "io/textures.h"
+#include "scene/schema.h"
 #include "view/action.h"
 #include "view/document/document.h"
 #include "view/plan/plan_geometry.h"
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string_view>
 #include <utility>
 
 namespace raywalk {
@@ -205,10 +207,19 @@ void action::Rename::apply(State& state) const {
   const auto index = static_cast<std::size_t>(target.index);
   std::string& current = is_object ? next.objects[index].name : next.lights[index].name;
   if (name == current) return;
-  if (name.empty()) return complain(state, std::string(text("notice.refused_name_empty", state.appearance.language)));
+  const auto refuse = [&](std::string_view why, const TextArguments& arguments = {}) {
+    complain(state, fill(why, state.appearance.language, arguments));
+  };
+  if (name.find_first_not_of(" \t") == std::string::npos) return refuse("notice.refused_name_empty");
+  if (name.size() > schema::own_name.longest)
+    return refuse("notice.refused_name_long", {{"bytes", name.size()}, {"most", schema::own_name.longest}});
+  // What some fields make of characters that they cannot hold.
+  constexpr std::string_view replacement = "\uFFFD";
+  if (name.find(replacement) != std::string::npos && current.find(replacement) == std::string::npos)
+    return refuse("notice.refused_name_letters");
   const std::string before = std::exchange(current, {});  // its own name is no other's
   if (is_taken(next, name, name, state.appearance.language))
-    return complain(state, fill("notice.refused_name_taken", state.appearance.language, {{"name", name}}));
+    return refuse("notice.refused_name_taken", {{"name", name}});
   std::erase(next.translated, before);  // what a person calls a thing is called so in every language
   std::erase(next.translated, name);
   current = name;
