@@ -76,7 +76,7 @@ TEST_CASE("maps and masks are read with all their keys, and saved as they stand"
 
 TEST_CASE("images of colours are decoded from sRGB, those of numbers are the numbers") {
   const TemporaryFolder folder;
-  for (const char* name : {"r.png", "n.png", "b.png", "m.png"}) REQUIRE(write_image(folder.file(name), bytes_image()));
+  for (const char* name : {"t.png", "r.png", "n.png", "b.png", "m.png"}) REQUIRE(write_image(folder.file(name), bytes_image()));
   const std::string path = folder.file("scene.toml");
   put(path, with_lines(everything));
   const auto document = read_scene(path);
@@ -86,6 +86,7 @@ TEST_CASE("images of colours are decoded from sRGB, those of numbers are the num
   const float half = static_cast<float>(128.0 / 255), decoded = static_cast<float>(srgb_decode(128.0 / 255));
   CHECK(material.maps[0].pixels->at(0, 0).x == half);
   CHECK(material.maps[1].pixels->at(0, 0).x == decoded);
+  CHECK(material.texture->pixels->at(0, 0).x == decoded);
   CHECK(material.normal_map->pixels->at(0, 0).z == half);
   CHECK(material.bump_map->pixels->at(0, 0).x == half);
   CHECK(material.mask->pixels->at(0, 0).x == half);

@@ -198,7 +198,8 @@ void autosave(State& state, double seconds) {
     state.document.autosave_failure.clear();
     return end_telling_of_failure(state);
   }
-  if (is_first) remove_autosave(state);  // nothing but a name
+  state.document.autosaved_revision = 0;  // tried again, also where an earlier one was removed by others
+  if (is_first) remove_autosave(state);   // nothing but a name
   tell_of_failure(state, written.error().text());
 }
 
