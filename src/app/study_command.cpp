@@ -49,7 +49,7 @@ std::string command_text(const StudyCommandOptions& options) {
 }
 
 std::string expected_text(const study::Law& law) {
-  const std::string number = fmt::format("{:.4g}", law.expected);
+  const std::string number = fmt::format("{:.4g}", shown(law, law.expected));
   if (law.kind == study::LawKind::at_most) return "<= " + number;
   if (law.kind == study::LawKind::at_least) return ">= " + number;
   return number;
@@ -61,11 +61,12 @@ std::string verdict_text(const study::StudyResult& result) {
     for (std::size_t i = 0; i < c.verdicts.size(); ++i) {
       const study::Law& law = c.report.laws[i];
       const study::Verdict& v = c.verdicts[i];
-      const std::string reach = law.kind == study::LawKind::exact
-                                    ? std::string("exact")
-                                    : fmt::format("{:.4g} to {:.4g}", v.interval.low, v.interval.high);
+      const std::string reach =
+          law.kind == study::LawKind::exact
+              ? std::string("exact")
+              : fmt::format("{:.4g} to {:.4g}", shown(law, v.interval.low), shown(law, v.interval.high));
       text += fmt::format("{:<3} {:<13} {:<22} expected {:>10}  measured {:>9.4g}  {:<22} {}\n", c.experiment.number,
-                          c.experiment.name, law.name, expected_text(law), law.measured.value, reach,
+                          c.experiment.name, law.name, expected_text(law), shown(law, law.measured.value), reach,
                           v.holds ? "holds" : "DOES NOT HOLD");
     }
   return text;

@@ -119,8 +119,8 @@ Report conclude_constants(const std::vector<Trial>& trials) {
       return std::log(each.at(last, rounds) / once.at(last, rounds));
     });
     report.laws.push_back({pair.once, std::string(pair.says) + ": where a ray is tested most often, once is no slower",
-                           LawKind::at_least, 0, saved, 0,
-                           "measured: the logarithm of the factor; another program may have taken the processor"});
+                           LawKind::at_least, 0, saved, 0, "Another program may have taken the processor.",
+                           "the time each time over the time once", true});
   }
   report.laws.push_back({"same answers",
                          "once or each time, every test gives the same t, bit for bit",
@@ -128,7 +128,8 @@ Report conclude_constants(const std::vector<Trial>& trials) {
                          0,
                          {different, 0, 0},
                          0,
-                         "counted: sets of tests that answered otherwise"});
+                         "The terms would not be the same.",
+                         "how many sets of tests answered otherwise"});
   report.figures.push_back(
       {time,
        "Some terms of a test do not change from test to test. The three divisions of a box test, and the shear that "

@@ -65,14 +65,16 @@ Report conclude_endings(const std::vector<Trial>& trials, double max_samples) {
                          0,
                          {static_cast<double>(off), 0, 0},
                          0,
-                         "counted: trials where it does not"});
+                         "Paths would be ended elsewhere, or count for another share.",
+                         "how many trials are outside of it"});
   report.laws.push_back({"threshold, rays",
                          "a path has 1 + floor(ln X / ln rho) rays: halving X adds 3 or 4 rays",
                          LawKind::exact,
                          0,
                          {static_cast<double>(miscounted), 0, 0},
                          0,
-                         "counted: trials where it has not"});
+                         "Paths would be ended elsewhere.",
+                         "in how many trials it has another number"});
   Plot known;
   known.title = "A threshold in a room of albedo 0.8";
   known.x_label = "threshold X";

@@ -143,7 +143,8 @@ Report conclude_numerics(const std::vector<Trial>& trials) {
                            0,
                            {most, 0, 0},
                            0,
-                           "The largest share of any round: a filter's bound or the exact arithmetic is wrong."});
+                           "A filter's bound or the exact arithmetic is wrong.",
+                           "the largest share of any round"});
   }
   const ErrorCurve naive(trials, "double", error_of, Pool::mean), better(trials, "perpendicular", error_of, Pool::mean);
   const Estimate saved = bootstrap(naive.rounds(), [&](const std::vector<int>& rounds) {
@@ -152,7 +153,8 @@ Report conclude_numerics(const std::vector<Trial>& trials) {
     return sum / static_cast<double>(naive.knobs().size());
   });
   report.laws.push_back({"perpendicular", "for the same bits it errs less than the textbook's formula",
-                         LawKind::at_least, 0, saved, 0, "measured: the share of rays that it saves"});
+                         LawKind::at_least, 0, saved, 0, "The distances would be too small to tell them apart.",
+                         "the share of rays that only the textbook's formula decides wrongly"});
   report.figures.push_back(
       {wrong,
        "Rays past the outline of a sphere, half of them just inside, half just outside, down to the last digit. From "
@@ -163,7 +165,8 @@ Report conclude_numerics(const std::vector<Trial>& trials) {
        "arithmetic in another form."});
   report.figures.push_back(
       {bargain,
-       "And what that takes. Exact arithmetic costs hundreds of times a rounded test. The filter computes a bound of "
+       "And what that takes. Exact arithmetic costs about a hundred times a rounded test. The filter computes a bound "
+       "of "
        "its own error beside the fast formula and asks for the exact one only where the bound leaves a doubt. These "
        "rays are the hardest there are, so it asks often here; of the rays of a picture about one in a thousand needs "
        "it, and the filter is nearly as fast as what it filters."});

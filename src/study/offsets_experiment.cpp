@@ -127,12 +127,15 @@ Report conclude_offsets(const std::vector<Trial>& trials) {
       return std::log(absolute.at(end, rounds) / best);
     });
   };
+  const std::string wrong_answers = "how many times as many wrong answers as with the best epsilon";
   report.laws.push_back({"epsilon too small",
                          "at 1e-12 there are more than twice the wrong answers of the best epsilon: "
                          "rays hit where they start",
-                         LawKind::at_least, std::log(2.0), arm(0), 0, "measured: the logarithm of that factor"});
+                         LawKind::at_least, std::log(2.0), arm(0), 0,
+                         "The scene would be too small, or the numbers too many.", wrong_answers, true});
   report.laws.push_back({"epsilon too large", "at 0.1 too: rays start behind what they should hit", LawKind::at_least,
-                         std::log(2.0), arm(absolute.knobs().size() - 1), 0, "measured: the logarithm of that factor"});
+                         std::log(2.0), arm(absolute.knobs().size() - 1), 0, "The sheet would lie too far away.",
+                         wrong_answers, true});
   double most = 0;
   for (const Trial& t : trials)
     if (t.method == "surface-aware") most = std::max(most, t.error);
@@ -142,7 +145,8 @@ Report conclude_offsets(const std::vector<Trial>& trials) {
                          0,
                          {most, 0, 0},
                          0,
-                         "The largest share of any round."});
+                         "An offset would be too small, or too large.",
+                         "the largest share of any round"});
   report.figures.push_back(
       {both,
        "A shadow ray leaves a ball; both are computed in float, and naively, as --numerics naive does. It must not "

@@ -19,11 +19,15 @@ h1{font-size:2rem;line-height:1.2}h2{font-size:1.45rem;margin-top:3.2rem;border-
 sup{line-height:0;font-size:.75em}p.ask{font-size:1.12rem;font-style:italic}p.soft,td.soft,figcaption{color:var(--soft)}
 figure{margin:1.4rem 0}svg{max-width:100%;height:auto;border:1px solid var(--line);border-radius:6px}
 table{border-collapse:collapse;width:100%;font-size:.92rem}td,th{text-align:left;padding:.35rem .6rem;
-border-bottom:1px solid var(--line);vertical-align:top}td.n,th.n{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}
+border-bottom:1px solid var(--line);vertical-align:top}th[scope=row]{font-weight:400}td.n,th.n{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}
 .yes{color:var(--good);font-weight:600;white-space:nowrap}.no{color:var(--bad);font-weight:600}
 code{font-family:'JetBrains Mono','DejaVu Sans Mono',monospace;font-size:.9em}
 .strips{display:grid;grid-template-columns:repeat(auto-fit,minmax(16rem,1fr));gap:.8rem}.strips figure{margin:0}
 .strips img{width:100%;image-rendering:pixelated;border:1px solid var(--line)}
+@media (max-width:44rem){figure{overflow-x:auto}svg{max-width:none;min-width:42rem}code{overflow-wrap:anywhere}
+thead{position:absolute;clip-path:inset(50%)}tr{display:block;padding:.6rem 0;border-bottom:1px solid var(--line)}
+td,th[scope=row]{display:block;border:0;padding:.1rem 0}th[scope=row]{font-weight:600}td.n{text-align:left}
+td[data-is]::before{content:attr(data-is) ': ';color:var(--soft)}}
 @media print{body{max-width:none;margin:0}h2{break-before:page}figure{break-inside:avoid}}
 </style>
 )";
@@ -50,22 +54,23 @@ std::string number(double value) {
 }
 
 std::string expected_text(const Law& law) {
+  const std::string expected = number(shown(law, law.expected));
   switch (law.kind) {
     case LawKind::equals:
-      return number(law.expected);
+      return expected;
     case LawKind::at_most:
-      return "at most " + number(law.expected);
+      return "at most " + expected;
     case LawKind::at_least:
-      return "at least " + number(law.expected);
+      return "at least " + expected;
     case LawKind::exact:
-      return law.tolerance > 0 ? fmt::format("{} ± {:.0e}", number(law.expected), law.tolerance) : number(law.expected);
+      return law.tolerance > 0 ? fmt::format("{} ± {:.0e}", expected, law.tolerance) : expected;
   }
   return "";
 }
 
 std::string interval_text(const Law& law, const Verdict& verdict) {
   if (law.kind == LawKind::exact) return "no chance in it";
-  return fmt::format("{} to {}", number(verdict.interval.low), number(verdict.interval.high));
+  return fmt::format("{} to {}", number(shown(law, verdict.interval.low)), number(shown(law, verdict.interval.high)));
 }
 
 std::string law_rows(const Concluded& c) {
@@ -74,10 +79,12 @@ std::string law_rows(const Concluded& c) {
     const Law& law = c.report.laws[i];
     const Verdict& verdict = c.verdicts[i];
     rows += fmt::format(
-        "<tr><td>{}</td><td class='soft'>{}</td><td class='n'>{}</td><td class='n'>{}</td><td class='n'>{}</td>"
-        "<td class='{}'>{}</td></tr>\n",
-        escaped(law.name), prose(law.says), expected_text(law), number(law.measured.value), interval_text(law, verdict),
-        verdict.holds ? "yes" : "no", verdict.holds ? "✓ holds" : "✗ does not hold. " + prose(law.otherwise));
+        "<tr><th scope='row'>{}</th><td class='soft'>{}{}</td><td class='n' data-is='Expected'>{}</td>"
+        "<td class='n' data-is='Measured'>{}</td><td class='n' data-is='Interval'>{}</td><td class='{}'>{}</td></tr>\n",
+        escaped(law.name), prose(law.says),
+        law.number.empty() ? "" : "<br><small>The number: " + prose(law.number) + ".</small>", expected_text(law),
+        number(shown(law, law.measured.value)), interval_text(law, verdict), verdict.holds ? "yes" : "no",
+        verdict.holds ? "✓ holds" : "✗ does not hold. " + prose(law.otherwise));
   }
   return rows;
 }
@@ -86,7 +93,7 @@ constexpr const char* law_head =
     "<table><thead><tr><th>Law</th><th>What it says</th><th class='n'>Expected</th><th class='n'>Measured</th>"
     "<th class='n'>Interval</th><th>Verdict</th></tr></thead><tbody>\n";
 
-std::string section(const Concluded& c) {
+std::string section(const Concluded& c, Effort effort) {
   const Experiment& e = c.experiment;
   std::string html = fmt::format("<h2 id='{}'>{} · {}</h2>\n<p class='ask'>{}</p>\n", e.name, e.number,
                                  escaped(e.title), escaped(e.question));
@@ -106,8 +113,8 @@ std::string section(const Concluded& c) {
   html += law_head + law_rows(c) + "</tbody></table>\n";
   html += fmt::format(
       "<p class='soft'>Every trial, with its rays, nodes, tests, random draws and processor seconds: "
-      "<a href='{0}.csv'>{0}.csv</a>. Repeat: <code>raywalk study {0} -o DIR</code></p>\n",
-      e.name);
+      "<a href='{0}.csv'>{0}.csv</a>. Repeat: <code>raywalk study {0} -o DIR{1}</code></p>\n",
+      e.name, effort == Effort::quick ? " --quick" : "");
   return html;
 }
 
@@ -133,7 +140,7 @@ std::string page_of(const StudyResult& result, const StudyOptions& options) {
     html += fmt::format("<a href='#{}'>{} {}</a>{}", c.experiment.name, c.experiment.number,
                         escaped(c.experiment.title), &c == &result.concluded.back() ? "" : " · ");
   html += "</p>\n";
-  for (const Concluded& c : result.concluded) html += section(c);
+  for (const Concluded& c : result.concluded) html += section(c, options.effort);
   html += fmt::format(
       "<h2>How it was measured</h2>\n<p>Machine: {}. Effort: {}. Command: <code>{}</code>.</p>\n"
       "<p>Seeds are fixed: all numbers but the seconds are the same in each run. Methods take turns within a round, "

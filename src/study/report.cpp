@@ -25,6 +25,8 @@ double p_of(const Law& law) {
 
 }  // namespace
 
+double shown(const Law& law, double number) { return law.is_logarithm ? std::exp(number) : number; }
+
 std::vector<Verdict> judged(const std::vector<Law>& laws) {
   constexpr double alpha = 0.05;
   std::vector<Verdict> verdicts(laws.size());

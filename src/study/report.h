@@ -26,7 +26,13 @@ struct Law {
   Estimate measured{};
   double tolerance = 0;
   std::string otherwise{};  ///< the explanation if it does not hold
+  std::string number{};     ///< what the number is, where the law does not say it: "how many times as many"
+  /// The number is the natural logarithm of a factor; readers are shown the factor.
+  bool is_logarithm = false;
 };
+
+/// A number on the law's scale as readers are shown it.
+[[nodiscard]] double shown(const Law& law, double number);
 
 /// The verdict on a law, given all laws of the study.
 struct Verdict {

@@ -113,7 +113,8 @@ Report conclude_structures(const std::vector<Trial>& trials) {
                            "a ray's cost grows no faster than log N: the last ten-fold adds no more than the one "
                            "before",
                            LawKind::at_most, 0, bend, 0,
-                           "Few spheres leave rays that meet nothing; the law is one of the limit."});
+                           "Few spheres leave rays that meet nothing; the law is one of the limit.",
+                           "what the last ten-fold adds to a ray's nodes and tests, less what the one before added"});
   }
   double different = 0;
   for (const Trial& t : trials) {
@@ -126,7 +127,8 @@ Report conclude_structures(const std::vector<Trial>& trials) {
                          0,
                          {different, 0, 0},
                          0,
-                         "counted: structures that answered otherwise"});
+                         "A structure would miss spheres, or find those behind.",
+                         "how many structures answered otherwise"});
   report.figures.push_back(
       {work,
        "Spheres strewn evenly over a cube, as dense for every N. Without a structure a ray meets all of them: a line "

@@ -15,24 +15,40 @@ std::string columns_line(const Columns& columns) {
                      columns.other);
 }
 
-/// The next word of a line, up to a comma.
-std::string next_word(std::string_view& line) {
-  const std::size_t comma = std::min(line.find(','), line.size());
-  std::string word(line.substr(0, comma));
-  line.remove_prefix(std::min(comma + 1, line.size()));
-  return word;
+/// A value as RFC 4180 wants it: in quotes where it holds a comma or a quote, which is doubled.
+std::string csv_value(const std::string& text) {
+  if (text.find_first_of(",\"") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + '"';
+}
+
+/// The next value of a line, without its quotes, and the comma behind it.
+std::string next_value(std::string_view& line) {
+  std::string value;
+  bool in_quotes = false;
+  std::size_t i = 0;
+  for (; i < line.size() && (in_quotes || line[i] != ','); ++i)
+    if (line[i] != '"')
+      value += line[i];
+    else if (in_quotes && line.substr(i + 1).starts_with('"'))
+      value += line[i++];
+    else
+      in_quotes = !in_quotes;
+  line.remove_prefix(std::min(i + 1, line.size()));
+  return value;
 }
 
 /// strtod depends on the locale only for the decimal point, and no locale is set.
 bool read(std::string_view& line, double& value) {
-  const std::string word = next_word(line);
+  const std::string word = next_value(line);
   char* end = nullptr;
   value = std::strtod(word.c_str(), &end);
   return !word.empty() && *end == '\0';
 }
 
 bool read(std::string_view& line, std::uint64_t& value) {
-  const std::string word = next_word(line);
+  const std::string word = next_value(line);
   char* end = nullptr;
   value = std::strtoull(word.c_str(), &end, 10);
   return !word.empty() && *end == '\0';
@@ -49,8 +65,8 @@ Cost cost_of(const Statistics& statistics, double seconds) {
 std::string csv_of(const std::vector<Trial>& trials, const Columns& columns, const std::string& heading) {
   std::string text = heading + columns_line(columns);
   for (const Trial& t : trials)
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{:.6g}\n", t.round, t.method, t.knob, t.error, t.other, t.cost.rays,
-                        t.cost.nodes, t.cost.tests, t.cost.draws, t.cost.seconds);
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{:.6g}\n", t.round, csv_value(t.method), t.knob, t.error, t.other,
+                        t.cost.rays, t.cost.nodes, t.cost.tests, t.cost.draws, t.cost.seconds);
   return text;
 }
 
@@ -68,7 +84,7 @@ std::vector<Trial> trials_of(std::string_view csv, const Columns& columns, const
     double round = 0;
     if (!read(line, round) || !(round >= 0 && round < 1e9) || round != std::floor(round)) return {};
     t.round = static_cast<int>(round);
-    t.method = next_word(line);
+    t.method = next_value(line);
     const bool understood = read(line, t.knob) && read(line, t.error) && read(line, t.other) &&
                             read(line, t.cost.rays) && read(line, t.cost.nodes) && read(line, t.cost.tests) &&
                             read(line, t.cost.draws) && read(line, t.cost.seconds) && line.empty();

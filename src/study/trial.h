@@ -20,7 +20,7 @@ struct Cost {
 /// One method, at one setting of the experiment's knob, in one round.
 struct Trial {
   int round = 0;
-  std::string method;  ///< without commas
+  std::string method;  ///< on one line
   double knob = 0;
   double error = 0;  ///< defined by the experiment
   double other = 0;  ///< a second measured number
@@ -32,8 +32,8 @@ struct Columns {
   std::string knob, error, other;
 };
 
-/// Comma-separated values under `heading`, lines that begin with # and describe them. Numbers are written so that they
-/// are read back exactly.
+/// Comma-separated values (RFC 4180) under `heading`, lines that begin with # and describe them. Numbers are written so
+/// that they are read back exactly.
 [[nodiscard]] std::string csv_of(const std::vector<Trial>& trials, const Columns& columns, const std::string& heading);
 
 /// Reads what csv_of wrote. Empty if the heading or the columns differ, or a line is malformed: then the file is of

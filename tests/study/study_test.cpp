@@ -1,6 +1,7 @@
 // The experiments in small, whole studies in a folder, and that a study sees what is wrong.
 #include "study/study.h"
 
+#include <cmath>
 #include <filesystem>
 
 #include "study/curve.h"
@@ -20,19 +21,6 @@ StudyOptions options_in(const std::string& folder) {
   return options;
 }
 
-std::vector<std::string> broken_in(const Experiment& experiment) {
-  const TemporaryFolder folder;
-  const auto result = run_study({experiment}, options_in(folder.path()));
-  REQUIRE(result);
-  CHECK(result->finished);
-  CHECK(result->laws() > 0);
-  return result->broken();
-}
-
-bool names(const std::vector<std::string>& broken, const std::string& law) {
-  return std::find(broken.begin(), broken.end(), law) != broken.end();
-}
-
 std::vector<Trial> kept(const std::string& folder, const std::string& name) {
   const auto csv = read_file(folder + "/" + name + ".csv", 1 << 26);
   REQUIRE(csv);
@@ -42,6 +30,20 @@ std::vector<Trial> kept(const std::string& folder, const std::string& name) {
     if (e.name == name) named = e.columns;
   REQUIRE(columns != std::string::npos);
   return trials_of(*csv, named, csv->substr(0, heading));
+}
+
+std::vector<std::string> broken_in(const Experiment& experiment) {
+  const TemporaryFolder folder;
+  const auto result = run_study({experiment}, options_in(folder.path()));
+  REQUIRE(result);
+  CHECK(result->finished);
+  CHECK(result->laws() > 0);
+  CHECK_FALSE(kept(folder.path(), experiment.name).empty());  // or it would be measured again
+  return result->broken();
+}
+
+bool names(const std::vector<std::string>& broken, const std::string& law) {
+  return std::find(broken.begin(), broken.end(), law) != broken.end();
 }
 
 }  // namespace
@@ -165,6 +167,34 @@ TEST_CASE("a study that was stopped goes on, and its numbers are those of one th
   CHECK(rounds == 25);
 }
 
+TEST_CASE(
+    "the page shows factors, not their logarithms, says what a number is, and repeats itself by its own command") {
+  const TemporaryFolder folder;
+  Experiment factor = depth_experiment(Effort::glance);
+  factor.rounds = 2;
+  factor.run = [](int round, const Stop&) { return std::vector<Trial>{{round, "a", 1, 0, 0, {}}}; };
+  factor.conclude = [](const std::vector<Trial>&) {
+    Report report;
+    report.laws.push_back({"twice",
+                           "more than twice",
+                           LawKind::at_least,
+                           std::log(2.0),
+                           {std::log(4.5), 0.01, 23},
+                           0,
+                           "no",
+                           "how many times as many",
+                           true});
+    return report;
+  };
+  StudyOptions options = options_in(folder.path());
+  options.effort = Effort::quick;
+  REQUIRE(run_study({factor}, options));
+  const auto page = read_file(folder.file("index.html"), 1 << 20);
+  REQUIRE(page);
+  CHECK_THAT(*page, contains(">at least 2.0000<") && contains(">4.5000<") && contains("how many times as many") &&
+                        contains("raywalk study depth -o DIR --quick</code>"));
+}
+
 TEST_CASE("a folder that cannot be made is said") {
   const TemporaryFolder folder;
   REQUIRE(write_file_atomically(folder.file("file"), "x"));
@@ -175,7 +205,8 @@ TEST_CASE("a folder that cannot be made is said") {
 
 TEST_CASE("tables keep every bit, and what is not understood is not taken") {
   const Columns columns{"knob", "error", "other"};
-  const std::vector<Trial> trials{{3, "a b", 0.1, 1.0 / 3, 1e-300, {1, 2, 3, 4, 0.5}}, {4, "c", 16, -0.0, 7, {}}};
+  const std::vector<Trial> trials{{3, "a b", 0.1, 1.0 / 3, 1e-300, {1, 2, 3, 4, 0.5}},
+                                  {4, "in float, or \"double\"", 16, -0.0, 7, {}}};
   const std::string csv = csv_of(trials, columns, "# head\n");
   const std::vector<Trial> read = trials_of(csv, columns, "# head\n");
   REQUIRE(read.size() == 2);
@@ -186,6 +217,9 @@ TEST_CASE("tables keep every bit, and what is not understood is not taken") {
   CHECK(read[0].other == 1e-300);
   CHECK(read[0].cost.draws == 4);
   CHECK(read[0].cost.seconds == 0.5);
+  CHECK_THAT(csv, contains("\n4,\"in float, or \"\"double\"\"\",16,"));  // RFC 4180
+  CHECK(read[1].method == trials[1].method);
+  CHECK(read[1].other == 7);
   CHECK(trials_of(csv, columns, "# other\n").empty());
   CHECK(trials_of(csv, {"knob", "error", "another"}, "# head\n").empty());
   CHECK(trials_of(csv.substr(0, csv.size() - 3), columns, "# head\n").empty());
