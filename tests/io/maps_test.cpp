@@ -76,7 +76,8 @@ TEST_CASE("maps and masks are read with all their keys, and saved as they stand"
 
 TEST_CASE("images of colours are decoded from sRGB, those of numbers are the numbers") {
   const TemporaryFolder folder;
-  for (const char* name : {"t.png", "r.png", "n.png", "b.png", "m.png"}) REQUIRE(write_image(folder.file(name), bytes_image()));
+  for (const char* name : {"t.png", "r.png", "n.png", "b.png", "m.png"})
+    REQUIRE(write_image(folder.file(name), bytes_image()));
   const std::string path = folder.file("scene.toml");
   put(path, with_lines(everything));
   const auto document = read_scene(path);

@@ -338,7 +338,8 @@ mutant pyramid_ellipse_turned pyramid trace/texture_pyramid.cpp 'B = 2 * (dx.x *
 mutant pyramid_ellipse_of_one_side pyramid trace/texture_pyramid.cpp 'A = dx.y * dx.y + dy.y * dy.y + 1' 'A = dx.y * dx.y + 1'
 mutant pyramid_levels_by_the_shorter pyramid trace/texture_pyramid.cpp 'if (major < minor) std::swap(longer, shorter), std::swap(major, minor);' ''
 mutant pyramid_share_of_the_sharper pyramid trace/texture_pyramid.cpp 'portable::log1p(2 * mantissa - 1)' 'portable::log1p(1 - mantissa)'
-mutant pyramid_rows_count_upwards pyramid trace/texture_pyramid.cpp '(1 - (v - std::floor(v)))' '(v - std::floor(v))'
+mutant pyramid_rows_count_upwards pyramid trace/texture_pyramid.cpp '(1 - place(v, wraps.v))' '(place(v, wraps.v))'
+mutant pyramid_mirror_repeats pyramid trace/texture.h 'index < size ? index : 2 * size - 1 - index' 'index % size'
 mutant pyramid_gaussian_wider pyramid trace/texture_pyramid.cpp 'portable::exp(-2.0 * static_cast<double>(i) / last)' 'portable::exp(-1.0 * static_cast<double>(i) / last)'
 
 # Mirrors of small mirrors, and metals.

@@ -1,5 +1,7 @@
 #include "fixtures.h"
 #include "view/legend/legend.h"
+#include "view/plan/plan_geometry.h"
+#include "view/plan/plan_view.h"
 #include "view/stack/stack_panel.h"
 #include "view/text/text.h"
 #include "view/tree/tree_panel.h"
@@ -327,6 +329,32 @@ TEST_CASE("in Move the sentence says how to get back what is out of view") {
   CHECK(sentence(state) == text("status.first_step_move", state.appearance.language));
   update(state, action::Zoom{{320, 240}, 0.01});
   CHECK(sentence(state) == text("plan.shown_tiny", state.appearance.language));
+}
+
+TEST_CASE("a body of which a part is seen is not said to be out of view") {
+  State state = busy_state();
+  update(state, action::SetMode{Mode::move});
+  for (const Vec2d& way : {Vec2d(1, 0), Vec2d(-1, 0), Vec2d(0, 1), Vec2d(0, -1)}) {
+    update(state, action::FitView{});
+    update(state, action::Select{{TargetKind::object, 0}});
+    const Target& ball = state.plan.selected;
+    const auto out = [&] { return sentence(state).find("out of view") != std::string::npos; };
+    const auto place = [&] {
+      return to_pixels(state.plan.camera, state.plan.viewport, place_of(state, ball, state.plan.viewport));
+    };
+    const double radius =
+        plan_radius(std::get<Sphere<double>>(state.scene().objects[0].shape)) * state.plan.camera.pixels_per_unit;
+    // Its middle is half a radius beyond the border, then one and a half.
+    const auto beyond = [&](double radii) {
+      const Vec2d size(state.plan.viewport.width, state.plan.viewport.height);
+      const Vec2d border = size / 2.0 + way * (size / 2.0), aim = border + radii * radius * way;
+      update(state, action::Pan{way * dot(aim - place(), way)});
+    };
+    beyond(0.5);
+    CHECK_FALSE(out());
+    beyond(1.5);
+    CHECK(out());
+  }
 }
 
 TEST_CASE("total internal reflection leaves a stub along the surface") {

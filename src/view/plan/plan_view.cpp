@@ -95,6 +95,27 @@ PlanCamera fit(const Scene& scene, const Viewport& viewport, double unit) {
 
 PlanCamera fitted(const State& state) { return fit(state.scene(), state.plan.viewport, Sizes(state).unit); }
 
+bool is_in_view(const State& state, const Target& target) {
+  const Viewport& viewport = state.plan.viewport;
+  const Vec2d bottom_left = to_scene(state.plan.camera, viewport, Vec2d(0, viewport.height)),
+              top_right = to_scene(state.plan.camera, viewport, Vec2d(viewport.width, 0));
+  const auto overlaps = [&](const Vec2d& low, const Vec2d& high) {
+    return low.x <= top_right.x && low.y <= top_right.y && high.x >= bottom_left.x && high.y >= bottom_left.y;
+  };
+  if (target.kind == TargetKind::object) {
+    const Object& object = state.scene().objects[static_cast<std::size_t>(target.index)];
+    if (const auto extent = extent_of(object)) return overlaps(plan(extent->min), plan(extent->max));
+    if (const auto line = wall_line(object)) {
+      const auto side = [&](double x, double y) { return cross(line->along, Vec2d(x, y) - line->point) > 0; };
+      const bool first = side(bottom_left.x, bottom_left.y);
+      return side(bottom_left.x, top_right.y) != first || side(top_right.x, bottom_left.y) != first ||
+             side(top_right.x, top_right.y) != first;
+    }
+  }
+  const Vec2d at = place_of(state, target, viewport);
+  return overlaps(at, at);
+}
+
 Sizes::Sizes(const State& state)
     : unit(state.appearance.ui_scale * theme_scale(state.appearance.theme)),
       text(15 * unit),

@@ -18,6 +18,8 @@ inline constexpr double sky_depth = 39;
 [[nodiscard]] PlanCamera fit(const Scene& scene, const Viewport& viewport, double unit = 1);
 /// For a state's scene, pane and scale.
 [[nodiscard]] PlanCamera fitted(const State& state);
+/// Whether the plan shows any of a target, which must exist: of a body its box counts, of all else its place.
+[[nodiscard]] bool is_in_view(const State& state, const Target& target);
 
 /// The drawing of the pane. Move mode has handles, trace mode the rays formed so far.
 [[nodiscard]] DisplayList plan_view(const State& state, const Viewport& viewport);

@@ -64,10 +64,7 @@ std::string view_hint(const State& state) {
   constexpr double tiny = 0.15;  // of the size that fits
   if (state.plan.camera.pixels_per_unit < tiny * fitted(state).pixels_per_unit) return str(state, "plan.shown_tiny");
   if (!state.plan.selected || !exists(state, state.plan.selected) || state.plan.drag) return {};
-  const Vec2d at =
-      to_pixels(state.plan.camera, state.plan.viewport, place_of(state, state.plan.selected, state.plan.viewport));
-  const bool inside = at.x >= 0 && at.y >= 0 && at.x <= state.plan.viewport.width && at.y <= state.plan.viewport.height;
-  return inside
+  return is_in_view(state, state.plan.selected)
              ? std::string()
              : fill("plan.out_of_view", state.appearance.language, {{"name", short_name(state, state.plan.selected)}});
 }
