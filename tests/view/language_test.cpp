@@ -17,6 +17,8 @@
 #include <cctype>
 #include <memory>
 #include <set>
+
+#include "support/catch.h"
 #include "support/languages.h"
 
 using namespace raywalk;
