@@ -154,7 +154,7 @@ Report conclude_numerics(const std::vector<Trial>& trials) {
   });
   report.laws.push_back({"perpendicular", "for the same bits it errs less than the textbook's formula",
                          LawKind::at_least, 0, saved, 0, "The distances would be too small to tell them apart.",
-                         "the share of rays that only the textbook's formula decides wrongly"});
+                         "how much smaller its share of wrongly decided rays is"});
   report.figures.push_back(
       {wrong,
        "Rays past the outline of a sphere, half of them just inside, half just outside, down to the last digit. From "
