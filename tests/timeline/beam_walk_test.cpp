@@ -56,7 +56,7 @@ Material dyed(double share) {
 Scene chequered() {
   Scene scene = sunlit();
   scene.ambient = Rgbd(1.0);
-  for (const std::size_t i : {1, 3}) scene.objects[i].material = dyed(0.9);
+  for (const std::size_t i : {1U, 3U}) scene.objects[i].material = dyed(0.9);
   const auto checker = [](double size) { return Checker{{0.9, 0.8, 0.1}, {0.1, 0.2, 0.4}, size, {}}; };
   scene.objects[0].material.checker = checker(0.3);
   scene.objects[1].material.checker = checker(0.2);
@@ -307,11 +307,10 @@ TEST_CASE("beyond flat glass the middle of a beam goes as Snell's law says, and 
       CHECK(dot(comes, goes) > 0.5);
       CHECK(beam->snell->n1 != beam->snell->n2);
       // It starts where the part ends.
-      for (const Vec3d& start : beam->area.starts) {
+      for (std::size_t i = 0; i < beam->area.starts.size(); ++i) {
+        const Vec3d start = beam->area.starts[i], way = beam->area.ends[i] - start;
         CHECK(dot(start - from->point, from->normal) == Approx(0).margin(1e-12));
-        CHECK(std::abs(
-                  cross(plan(start - beam->apex), plan(beam->area.ends[&start - beam->area.starts.data()] - start))) <
-              1e-9 * length(beam->area.ends[&start - beam->area.starts.data()] - start));
+        CHECK(std::abs(cross(plan(start - beam->apex), plan(way))) < 1e-9 * length(way));
       }
       sum += beam->off;
       ++formed;
