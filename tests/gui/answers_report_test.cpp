@@ -36,10 +36,7 @@ void collect_numbers(const Json& json, const std::string& where, std::vector<std
 }  // namespace
 
 TEST_CASE("the report tells no answer before it is given") {
-  State initial = classic();
-  initial.lessons.folder = std::string(RAYWALK_SOURCE_DIR) + "/lessons";
-  initial.lessons.scenes_folder = std::string(RAYWALK_SOURCE_DIR) + "/scenes";
-  Bench bench(initial);
+  Bench bench(classic_with_lessons());
   update(bench.state, action::ShowLessons{true});
   update(bench.state, action::SetLessonOptions{false, true});
   for (const LessonEntry& entry : std::vector(bench.state.lessons.list)) {

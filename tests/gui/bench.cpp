@@ -15,6 +15,13 @@ State classic() {
   return make_state(std::move(*document));
 }
 
+State classic_with_lessons() {
+  State state = classic();
+  state.lessons.folder = std::string(RAYWALK_SOURCE_DIR) + "/lessons";
+  state.lessons.scenes_folder = std::string(RAYWALK_SOURCE_DIR) + "/scenes";
+  return state;
+}
+
 Bench::Bench(State initial, float width, float height, const FontFiles& faces)
     : state(std::move(initial)), interface_(std::string(RAYWALK_SOURCE_DIR) + "/scenes"), faces_(faces) {
   if (state.appearance.language.others().all().size() == 1)

@@ -11,6 +11,8 @@ namespace raywalk::test {
 
 // The classic scene as shipped, in no file.
 State classic();
+// The same beside the shipped lessons and scenes.
+State classic_with_lessons();
 
 class Bench {
  public:

@@ -14,13 +14,6 @@ using namespace raywalk::test;
 
 namespace {
 
-State with_scenes() {
-  State state = classic();
-  state.lessons.folder = std::string(RAYWALK_SOURCE_DIR) + "/lessons";
-  state.lessons.scenes_folder = std::string(RAYWALK_SOURCE_DIR) + "/scenes";
-  return state;
-}
-
 std::string row_of(Line line) { return "line-" + std::to_string(static_cast<int>(line)); }
 
 bool inside(const Rect& part, const Rect& whole) {
@@ -31,7 +24,7 @@ bool inside(const Rect& part, const Rect& whole) {
 }  // namespace
 
 TEST_CASE("a bug by mouse: list, click on the line, is it this one, the cure, mend, back") {
-  Bench bench(with_scenes());
+  Bench bench(classic_with_lessons());
   bench.frames(2);
   const Scene mine = bench.state.scene();
   bench.key("Shift+F2");
@@ -69,7 +62,7 @@ TEST_CASE("a bug by mouse: list, click on the line, is it this one, the cure, me
 }
 
 TEST_CASE("a bug by keys: a surprise, Enter marks and asks, Y gives up, Q mends, Esc leads back") {
-  Bench bench(with_scenes());
+  Bench bench(classic_with_lessons());
   bench.frames(2);
   bench.key("Ctrl+F2");
   REQUIRE(bench.state.bugs.hunt);
@@ -106,7 +99,7 @@ TEST_CASE("a bug by keys: a surprise, Enter marks and asks, Y gives up, Q mends,
 TEST_CASE("everything of a hunt fits into its pane, in both languages, at every size") {
   for (const float scale : {1.0f, 1.5f}) {
     for (const float factor : {1.0f, 1.25f}) {
-      Bench bench(with_scenes());
+      Bench bench(classic_with_lessons());
       bench.dpi = scale;
       bench.unit = scale * factor;
       bench.resize(1280 * scale, 720 * scale);
@@ -134,7 +127,7 @@ TEST_CASE("everything of a hunt fits into its pane, in both languages, at every 
 }
 
 TEST_CASE("a lesson's line at fault is clicked in the code") {
-  Bench bench(with_scenes());
+  Bench bench(classic_with_lessons());
   update(bench.state, action::SetLessonOptions{false, true});
   update(bench.state, action::SetLanguage{"pt"});
   update(bench.state, action::OpenLesson{"05-refraction"});
@@ -160,7 +153,7 @@ TEST_CASE("the demo of spot the bug finds it and shows the cure") {
   const std::string file = RAYWALK_SOURCE_DIR "/tests/gui/demos/spot_the_bug.demo";
   const auto actions = parse_demo(read_file(file, 1 << 16).value(), file);
   REQUIRE(actions);
-  Bench bench(with_scenes());
+  Bench bench(classic_with_lessons());
   bool was_mended = false;
   for (const Action& each : *actions) {
     update(bench.state, each);

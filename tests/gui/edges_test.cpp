@@ -18,9 +18,7 @@ using namespace raywalk::test;
 namespace {
 
 Bench with_lesson(const std::string& name, int step, const FontFiles& files) {
-  State state = classic();
-  state.lessons.folder = std::string(RAYWALK_SOURCE_DIR) + "/lessons";
-  state.lessons.scenes_folder = std::string(RAYWALK_SOURCE_DIR) + "/scenes";
+  State state = classic_with_lessons();
   state.lessons.unlocked = true;
   update(state, action::ShowLessons{true});
   update(state, action::OpenLesson{name});

@@ -11,9 +11,7 @@ namespace {
 
 // A question with two choices.
 State at_two_choices(bool presenter) {
-  State state = classic();
-  state.lessons.folder = std::string(RAYWALK_SOURCE_DIR) + "/lessons";
-  state.lessons.scenes_folder = std::string(RAYWALK_SOURCE_DIR) + "/scenes";
+  State state = classic_with_lessons();
   update(state, action::ShowLessons{true});
   update(state, action::SetLessonOptions{presenter, true});
   update(state, action::OpenLesson{"05-refraction"});

@@ -69,10 +69,7 @@ std::size_t check_buttons(const Bench& bench, const WindowShape& window) {
 
 TEST_CASE("no button of a lesson's step is cut or covered, in windows of every shape and in every language") {
   const FontFiles files = find_fonts(font_folders(""));
-  State state = classic();
-  state.lessons.folder = std::string(RAYWALK_SOURCE_DIR) + "/lessons";
-  state.lessons.scenes_folder = std::string(RAYWALK_SOURCE_DIR) + "/scenes";
-  Bench bench(std::move(state), 1280, 720, files);
+  Bench bench(classic_with_lessons(), 1280, 720, files);
   bench.settle = 1;
   bench.state.lessons.unlocked = true;
   update(bench.state, action::ShowLessons{true});

@@ -24,38 +24,8 @@ using namespace raywalk::test;
 
 using Json = nlohmann::json;
 
-namespace {
-
-State with_lessons() {
-  State state = classic();
-  state.lessons.folder = std::string(RAYWALK_SOURCE_DIR) + "/lessons";
-  state.lessons.scenes_folder = std::string(RAYWALK_SOURCE_DIR) + "/scenes";
-  return state;
-}
-
-/// By Escape, which also takes back what was typed since the field has had the keyboard.
-void leave_field(Bench& bench) {
-  for (const bool down : {true, false}) {
-    bench.hold(ImGuiKey_Escape, down);
-    bench.frames(3);
-  }
-  REQUIRE_FALSE(ImGui::GetIO().WantTextInput);
-}
-
-/// Opens a lesson where it asks for a number, with all unlocked.
-void ask_for_a_number(Bench& bench) {
-  bench.resize(1280, 720);
-  update(bench.state, action::ShowLessons{true});
-  update(bench.state, action::SetLessonOptions{false, true});
-  update(bench.state, action::OpenLesson{"18-rays-with-width"});
-  update(bench.state, action::GoToLessonStep{1});
-  bench.frames(2);
-}
-
-}  // namespace
-
 TEST_CASE("a lesson by keys: list, choice by digit, Enter reveals and goes on") {
-  Bench bench(with_lessons());
+  Bench bench(classic_with_lessons());
   bench.frames(2);
   bench.key("F2");
   REQUIRE(bench.has("lesson/01-ray-casting"));
@@ -101,7 +71,7 @@ TEST_CASE("a lesson by keys: list, choice by digit, Enter reveals and goes on") 
 }
 
 TEST_CASE("a presenter counts hands by digits and by buttons") {
-  Bench bench(with_lessons());
+  Bench bench(classic_with_lessons());
   bench.frames(2);
   bench.key("F2");
   bench.click("lesson/01-ray-casting");
@@ -131,7 +101,7 @@ TEST_CASE("a presenter counts hands by digits and by buttons") {
 }
 
 TEST_CASE("after the last step of a lesson the list shows the next one") {
-  Bench bench(with_lessons());
+  Bench bench(classic_with_lessons());
   bench.resize(1280, 720);
   update(bench.state, action::ShowLessons{true});
   update(bench.state, action::SetLessonOptions{false, true});
@@ -155,123 +125,9 @@ TEST_CASE("after the last step of a lesson the list shows the next one") {
   CHECK(in_sight(last));
 }
 
-TEST_CASE("a number that nobody typed has no field once the answer is shown") {
-  Bench bench(with_lessons());
-  ask_for_a_number(bench);
-  REQUIRE(bench.has("lesson-number"));
-  update(bench.state, action::RevealLesson{});
-  bench.frames(2);
-  CHECK_FALSE(bench.has("lesson-number"));
-  // A typed one stays beside the answer.
-  update(bench.state, action::GoToLessonStep{1});
-  update(bench.state, action::GuessNumber{0.5});
-  update(bench.state, action::RevealLesson{});
-  bench.frames(2);
-  CHECK(bench.has("lesson-number"));
-}
-
-TEST_CASE("a prediction that is no number is said to be none, and shows no answer, also where all is unlocked") {
-  const auto is_revealed_by = [](const std::string& typed) {
-    Bench bench(with_lessons());
-    ask_for_a_number(bench);
-    bench.type(typed);
-    bench.enter();
-    bench.frames(2);
-    // It can be mended at once.
-    CHECK(ImGui::GetIO().WantTextInput != bench.state.lessons.revealed);
-    return bench.state.lessons.revealed;
-  };
-  for (const char* const unread : {"37 $", "1.2.3", "2e"}) {
-    CAPTURE(unread);
-    CHECK_FALSE(is_revealed_by(unread));
-  }
-  CHECK(is_revealed_by("0.5"));
-}
-
-TEST_CASE("Enter shows no answer where no number was typed, and says so; Reveal does, and presenters go on") {
-  Bench bench(with_lessons());
-  ask_for_a_number(bench);
-  REQUIRE(bench.interface().types_number());
-  SECTION("in the field") { bench.enter(); }
-  SECTION("beside it") {
-    leave_field(bench);
-    bench.key("Enter");
-  }
-  CHECK_FALSE(bench.state.lessons.revealed);
-  CHECK(bench.has("lesson-nothing-typed"));
-  CHECK(bench.interface().types_number());
-  bench.type("0");
-  CHECK_FALSE(bench.has("lesson-nothing-typed"));
-  CHECK(bench.state.lessons.guess.number == 0);
-  leave_field(bench);
-  REQUIRE_FALSE(bench.state.lessons.guess.number);
-  bench.click("lesson-reveal");
-  CHECK(bench.state.lessons.revealed);
-  update(bench.state, action::SetLessonOptions{true, false});
-  update(bench.state, action::GoToLessonStep{1});
-  bench.frames(3);
-  REQUIRE_FALSE(bench.state.lessons.revealed);
-  leave_field(bench);
-  bench.key("Enter");
-  CHECK(bench.state.lessons.revealed);
-}
-
-TEST_CASE("digits that are typed beside a lesson's field for a number go into it") {
-  Bench bench(with_lessons());
-  ask_for_a_number(bench);
-  const auto stroke = [&](const std::string& digit) {  // the key, and what it types
-    ImGui::GetIO().AddInputCharactersUTF8(digit.c_str());
-    bench.key(digit);
-  };
-  leave_field(bench);
-  for (const std::string digit : {"3", "7", "5"}) stroke(digit);
-  CHECK(bench.interface().types_number());
-  CHECK(bench.state.lessons.guess.number == 375);
-  // Behind what stands there.
-  bench.click("lesson-about");
-  REQUIRE_FALSE(ImGui::GetIO().WantTextInput);
-  stroke("1");
-  CHECK(bench.state.lessons.guess.number == 3751);
-  // Those that come while the field is given the keyboard.
-  leave_field(bench);
-  update(bench.state, action::GuessNumber{std::nan("")});
-  bench.frames(2);
-  bench.settle = 1;
-  stroke("4");
-  ImGui::GetIO().AddInputCharactersUTF8("2");
-  bench.frames(3);
-  CHECK(bench.state.lessons.guess.number == 42);
-  bench.settle = 3;
-  bench.enter();
-  CHECK(bench.state.lessons.revealed);
-  CHECK(bench.state.lessons.first_tries[bench.state.lessons.last].judged() == 1);
-}
-
-TEST_CASE("a lesson's field holds what was guessed, and nothing once that is forgotten") {
-  Bench bench(with_lessons());
-  bench.resize(1280, 720);
-  update(bench.state, action::ShowLessons{true});
-  update(bench.state, action::SetLessonOptions{false, true});
-  update(bench.state, action::OpenLesson{"18-rays-with-width"});
-  update(bench.state, action::GoToLessonStep{1});
-  bench.frames(2);
-  bench.type("0.5");
-  CHECK(bench.state.lessons.guess.number == 0.5);
-  // Elsewhere and back to the question.
-  update(bench.state, action::ShowLessons{false});
-  bench.frames(2);
-  update(bench.state, action::ShowLessons{true});
-  update(bench.state, action::GoToLessonStep{1});
-  REQUIRE_FALSE(bench.state.lessons.guess.number);
-  bench.frames(2);
-  bench.click("lesson-number");
-  bench.type("0.25");
-  CHECK(bench.state.lessons.guess.number == 0.25);
-}
-
 TEST_CASE("everything of a lesson fits into its pane, in both languages") {
   for (const float scale : {1.0f, 1.5f}) {
-    Bench bench(with_lessons());
+    Bench bench(classic_with_lessons());
     bench.dpi = bench.unit = scale;
     bench.resize(1280 * scale, 720 * scale);
     update(bench.state, action::ShowLessons{true});
@@ -295,7 +151,7 @@ TEST_CASE("everything of a lesson fits into its pane, in both languages") {
 
 TEST_CASE("on a telephone the answer is seen with its reason, and a notice covers neither EYE nor a light") {
   const FontFiles files = find_fonts(font_folders(""));
-  Bench bench(with_lessons(), 360, 640, files);
+  Bench bench(classic_with_lessons(), 360, 640, files);
   bench.unit = bench.dpi = shrink_to_fit(360, 640, 1, true);
   update(bench.state, action::ShowFront{Front::lesson});
   update(bench.state, action::ShowLessons{true});
@@ -329,7 +185,7 @@ TEST_CASE("on a telephone the answer is seen with its reason, and a notice cover
 TEST_CASE("a guess stays in sight beside the verdict on it, where both fit") {
   const FontFiles files = find_fonts(font_folders(""));
   for (const auto& [width, height] : {std::pair{390.0f, 844.0f}, {844.0f, 390.0f}, {1280.0f, 720.0f}}) {
-    Bench bench(with_lessons(), width, height, files);
+    Bench bench(classic_with_lessons(), width, height, files);
     bench.unit = bench.dpi = shrink_to_fit(width, height, 1, true);
     update(bench.state, action::ShowFront{Front::lesson});
     update(bench.state, action::ShowLessons{true});
@@ -353,7 +209,7 @@ TEST_CASE("a guess stays in sight beside the verdict on it, where both fit") {
 TEST_CASE("a long title is shortened in a narrow window, and is told in full where it stands") {
   const FontFiles files = find_fonts(font_folders(""));
   for (const auto& [width, height] : {std::pair{390.0f, 844.0f}, {360.0f, 640.0f}}) {
-    Bench bench(with_lessons(), width, height, files);
+    Bench bench(classic_with_lessons(), width, height, files);
     bench.unit = bench.dpi = shrink_to_fit(width, height, 1, true);
     update(bench.state, action::SetLanguage{"pt"});
     update(bench.state, action::ShowFront{Front::lesson});
@@ -376,7 +232,7 @@ TEST_CASE("a long title is shortened in a narrow window, and is told in full whe
 
 TEST_CASE("a class's hands are counted beside each choice, and what is out of sight is marked") {
   for (const float unit : {1.0f, 1.25f}) {
-    Bench bench(with_lessons());
+    Bench bench(classic_with_lessons());
     bench.unit = unit;
     bench.resize(1280, 720);
     update(bench.state, action::SetLessonOptions{true, true});
@@ -525,7 +381,7 @@ TEST_CASE("lesson 5 in the window, as a teacher presents it: hands, notes, scrip
 TEST_CASE("in Focus question, choices and Reveal are whole, and the plan is large, in every lesson and language") {
   // What the projector's theme leaves of 1280 x 720: everything is a quarter larger.
   const FontFiles files = find_fonts(font_folders(""));
-  Bench bench(with_lessons(), 1024, 576, files);
+  Bench bench(classic_with_lessons(), 1024, 576, files);
   bench.settle = 1;
   bench.state.lessons.unlocked = true;
   update(bench.state, action::ShowLessons{true});
@@ -566,7 +422,7 @@ TEST_CASE("in Focus question, choices and Reveal are whole, and the plan is larg
 }
 
 TEST_CASE("Focus folds what stands around the plan, and the same key or either edge brings it back") {
-  Bench bench(with_lessons());
+  Bench bench(classic_with_lessons());
   bench.frames(2);
   bench.key("F2");
   const Layout before = bench.interface().layout();
