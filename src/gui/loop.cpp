@@ -371,7 +371,7 @@ class Loop::Parts {
     bool more = true;
     try {
       const Attention::Watch watch(attention_, Attention::To::input);
-      image_.follow(state_, Stop(attention_));
+      if (image_.follow(state_, Stop(attention_))) return show_image(false);
     } catch (const Stopped&) {
       return;  // interrupted: it begins again after the input
     }
@@ -379,6 +379,10 @@ class Loop::Parts {
       const Attention::Watch watch(attention_, Attention::To::input, longest_row());
       more = image_.work(state_, image_slice, Stop(attention_));
     }
+    show_image(more);
+  }
+
+  void show_image(bool more) {
     const Preview& now = image_.preview();
     const double every = now.has_every_pixel() ? smoothing_every : image_every;
     if (shown_image_.show(now.revision(), now.size(), now.rgba(), more, every)) frames_due_ = std::max(frames_due_, 1);

@@ -216,8 +216,8 @@ PreviewSettings preview_settings(const State& state) {
 
 }  // namespace
 
-void LiveImage::follow(const State& state, const Stop& stop) {
-  if (begun_ && revision_ == state.document.revision && image_revision_ == state.picture.revision) return;
+bool LiveImage::follow(const State& state, const Stop& stop) {
+  if (begun_ && revision_ == state.document.revision && image_revision_ == state.picture.revision) return false;
   const PreviewSettings settings = preview_settings(state);
   const SceneSeen scene = pictured_scene(state);
   if (workers_.begin(*scene, state.document.contents.path, settings)) {
@@ -229,7 +229,10 @@ void LiveImage::follow(const State& state, const Stop& stop) {
   image_revision_ = state.picture.revision;
   seconds_ = 0;
   begun_at_ = std::chrono::steady_clock::now();
+  const bool is_another = std::exchange(document_, state.document.number) != state.document.number && begun_;
+  if (is_another) preview_.blank();
   begun_ = true;
+  return is_another;
 }
 
 bool LiveImage::work(const State& state, double milliseconds, const Stop& stop) {

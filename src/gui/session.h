@@ -53,8 +53,10 @@ class LiveImage {
  public:
   explicit LiveImage(Workers& workers = platform::workers()) : workers_(workers) {}
 
-  /// Restarts if the scene has changed. Throws Stopped if cancelled while it builds its accelerator.
-  void follow(const State& state, const Stop& stop = {});
+  /// Restarts if the scene has changed. Throws Stopped if cancelled while it builds its accelerator. Returns whether
+  /// the picture is black now, for it was one of another document: it would be taken for this one's as long as nothing
+  /// of that is there, as while radiosity is solved.
+  bool follow(const State& state, const Stop& stop = {});
   /// Works for about `milliseconds` on the scene that it followed last; during a drag only up to the coarse picture.
   /// Returns whether more is to be done.
   bool work(const State& state, double milliseconds, const Stop& stop = {});
@@ -69,7 +71,7 @@ class LiveImage {
  private:
   Preview preview_;
   RowWorkers workers_;
-  std::uint64_t revision_ = 0, image_revision_ = 0;
+  std::uint64_t revision_ = 0, image_revision_ = 0, document_ = 0;
   double seconds_ = 0;  ///< of work since its start
   std::chrono::steady_clock::time_point begun_at_{};
   bool begun_ = false;

@@ -290,8 +290,11 @@ void Preview::reset_elsewhere(const Scene& scene, const PreviewSettings& setting
       work_ = std::make_unique<WorkIn<double>>(scene, settings);
       break;
   }
-  if (keep_picture) return;
-  const auto pixels = static_cast<std::size_t>(settings.size.width) * static_cast<std::size_t>(settings.size.height);
+  if (!keep_picture) blank();
+}
+
+void Preview::blank() {
+  const auto pixels = static_cast<std::size_t>(size().width) * static_cast<std::size_t>(size().height);
   rgba_.assign(pixels * 4, 0);
   for (std::size_t i = 0; i < pixels; ++i) rgba_[4 * i + 3] = 255;
   ++revision_;

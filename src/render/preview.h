@@ -30,7 +30,10 @@ class Preview {
   /// changed then.
   void reset(const Scene& scene, const PreviewSettings& settings, WorldCache* worlds = nullptr, const Stop& stop = {});
 
-  /// The same for rows that others trace: nothing is built, and nothing to refine.
+  /// Makes the picture that is still visible black.
+  void blank();
+
+  /// The same as reset for rows that others trace: nothing is built, and nothing to refine.
   void reset_elsewhere(const Scene& scene, const PreviewSettings& settings);
   /// Rows to be traced elsewhere, at most so many, each given once: those of this pass, then of the next one, so that
   /// nobody waits for the last row of a pass.

@@ -12,6 +12,7 @@
 #include "support/catch.h"
 #include "support/languages.h"
 #include "support/working_folder.h"
+#include "view/document/document.h"
 
 using namespace raywalk;
 using namespace raywalk::test;
@@ -260,6 +261,34 @@ TEST_CASE("the 3-D image follows the scene, and goes no further than coarse whil
   CHECK_FALSE(image.preview().finished());
   state.plan.drag.reset();
   CHECK_FALSE(image.rests(state));
+}
+
+TEST_CASE("a picture of another document is not left where that of this one will be; after an edit it is") {
+  State state = classic();
+  state.document.contents.scene.image = {33, 25};
+  LiveImage image;
+  CHECK_FALSE(image.follow(state));  // there was none
+  while (image.work(state, 50)) {
+  }
+  const auto picture = image.preview().rgba();
+  const auto is_black = [&] {
+    const auto& bytes = image.preview().rgba();
+    for (std::size_t i = 0; i < bytes.size(); ++i)
+      if (bytes[i] != (i % 4 == 3 ? 255 : 0)) return false;
+    return true;
+  };
+  ++state.document.revision;
+  CHECK_FALSE(image.follow(state));
+  CHECK(image.preview().rgba() == picture);
+  SceneDocument next = state.document.contents;
+  show_document(state, std::move(next), {});
+  CHECK(image.follow(state));
+  CHECK(image.preview().size() == ImageSize{33, 25});
+  CHECK(is_black());
+  CHECK_FALSE(image.follow(state));
+  while (image.work(state, 50)) {
+  }
+  CHECK(image.preview().rgba() == picture);
 }
 
 TEST_CASE("the 3-D image is of the world that is walked") {

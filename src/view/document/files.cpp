@@ -158,6 +158,7 @@ std::vector<std::string> shipped_names(const State& state) {
 
 void show_document(State& state, SceneDocument document, std::string path) {
   state.document.contents = std::move(document);
+  ++state.document.number;
   state.document.worlds = std::make_shared<WorldCache>();
   state.document.path = std::move(path);
   state.document.saved.reset();

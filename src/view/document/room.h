@@ -294,6 +294,7 @@ struct DocumentRoom {
   static Commands commands();
 
   SceneDocument contents;
+  std::uint64_t number = 0;    ///< of the document, among those that were shown
   std::string path;            ///< absolute; empty: never saved
   std::optional<Scene> saved;  ///< the scene as the file holds it; absent: as contents.scene
   Ink saved_ink{};             ///< the ink that the file holds
