@@ -82,7 +82,11 @@ Patches::LampLight Patches::light_of(const World<double>::Light& light, const Pa
   TestCounts uncounted;
   for (int k = 0; k < grid * grid; ++k) {
     const Vec3d to_light = light.direction_to(light.regular(k, grid), at);
-    if (!(dot(patch.normal, to_light) > 0) || !light.shines_along(to_light)) continue;
+    if (!light.shines_along(to_light)) continue;
+    if (!(dot(patch.normal, to_light) > 0)) {  // below the horizon
+      ++hidden;
+      continue;
+    }
     if (occluders_->occluded(Ray<double>{at, to_light, Departure{patch.face, 0}, 0}, light.t_far(), uncounted)) {
       ++hidden;
       continue;

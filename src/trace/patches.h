@@ -154,7 +154,7 @@ class Patches {
   /// Of a source, seen from a point of a patch: by `points` x `points` rays.
   [[nodiscard]] double visible_share(const Patch& patch, const Vec3d& at, const Patch& source, int points) const;
   /// What arrives at a point of a patch from a light, an area light by `grid` x `grid` points of it; and whether some
-  /// of these are hidden, but not all.
+  /// of these are hidden or below the patch's horizon, but not all.
   struct LampLight {
     Rgbd irradiance{0.0};
     bool partly_hidden = false;

@@ -148,7 +148,9 @@ auto PhotonTracer<Policy>::adjoint(const Vertex& at, Lobe lobe, const Vec3<T>& d
       return at.bsdf.mirror_width > 0 ? cos_out(geometric) / cos_in(geometric) : T(1);
     case Lobe::transparent: {
       const T ratio = at.refraction.n1 / at.refraction.n2, bent = settings_.flat ? ratio : ratio * ratio;
-      return at.bsdf.by_facets() ? bent * both_ways() : bent;
+      if (at.bsdf.by_facets()) return bent * both_ways();
+      if (at.bsdf.transparent_width == 0) return bent;
+      return bent * cos_out(geometric) / std::abs(dot(at.bsdf.transparent_axis, geometric));
     }
     case Lobe::phase:
       break;

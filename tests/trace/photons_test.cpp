@@ -85,6 +85,42 @@ TEST_CASE("a ball that glows inside is as bright everywhere as what it emits ove
   }
 }
 
+TEST_CASE("photons that a sheet scatters to the side bring what it shines there") {
+  // Sunlight comes straight down on a sheet that is not refracting. Within 80 degrees it shines as brightly everywhere:
+  // by what comes in, over the solid angle of the cone. A floor beside it is in the shade.
+  constexpr double sheet_radius = 0.3, aside = 1.5;
+  Scene scene;
+  Material sheet = matt(0);
+  sheet.transmission = Rgbd(1.0);
+  sheet.ior = 1;
+  sheet.translucency = 80;
+  scene.objects = {{"Floor", Disk<double>{{aside, 0, 0}, {0, 0, 1}, 0.4}, matt(1)},
+                   {"Shade", Disk<double>{{aside, 0, 1.6}, {0, 0, 1}, 0.7}, matt(0)},
+                   {"Sheet", Disk<double>{{0, 0, 1}, {0, 0, 1}, sheet_radius}, sheet}};
+  scene.lights = {{"Sun", Rgbd(1.0), DirectionalLight{{0, 0, 1}}}};
+  scene.camera.eye = {aside, 0, 0.5};
+  scene.camera.look_at = {aside, 0, 0};
+  scene.camera.up = {0, 1, 0};
+  scene.camera.screen = {1, 0.1, 6};
+  scene = by_photons(scene, 1500000, 10000);
+  scene.render.photons.radius = 0.2;
+  scene.render.photons.gather = false;
+  // A light of strength 1 brings the irradiance pi; both cosines are 1 over the distance.
+  const double cone = 2 * pi * (1 - std::cos(80 * pi / 180)), radiance = pi / cone;
+  double truth = 0;
+  constexpr int rings = 40, around = 40;
+  for (int i = 0; i < rings; ++i)
+    for (int k = 0; k < around; ++k) {
+      const double r = sheet_radius * std::sqrt((i + 0.5) / rings), turn = 2 * pi * (k + 0.5) / around;
+      const Vec3d way = Vec3d(aside, 0, 0) - Vec3d(r * std::cos(turn), r * std::sin(turn), 1);
+      truth += radiance / pi * (pi * sheet_radius * sheet_radius) / (rings * around) / std::pow(dot(way, way), 2);
+    }
+  const Means found = mean_of_pictures(scene, 6, 6, 1, 8);
+  INFO("mean " << found.mean << " +- " << found.error << ", truth " << truth);
+  CHECK(found.error < 0.03 * truth);
+  CHECK(std::abs(found.mean - truth) < 4 * found.error);
+}
+
 TEST_CASE("photons and paths agree: mirrors, glass with something matt inside, an emitter, a highlight", "[odds]") {
   Scene scene = hollow_ball(3, 0.5, {0, 0, 1.5}, law_of_square);
   scene.objects[0].material.diffuse = {0.6, 0.5, 0.3};
