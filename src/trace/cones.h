@@ -6,7 +6,8 @@
 // trace/pseudocode.h, and a test holds them together; what a statement does stands in trace/cone_steps.h.
 //
 // Where it errs: shares of several objects are multiplied as if they had nothing to do with each other; a part is
-// shaded in one place, in its middle; a shadow cone starts as wide as the part and ends as wide as the light, which is
+// shaded in one place, in its middle, and by the middle of a light, however near that is (by nothing of it where its
+// middle is behind the surface); a shadow cone starts as wide as the part and ends as wide as the light, which is
 // seen as a disc of its area (in the plan: as wide as it is) whatever its shape; a cone bent by a curved surface is
 // right near its axis only, and always round; small facets scatter evenly in a cone, without the tails that they have,
 // and as much of a metal's or a glass's light as one facet does. It draws no random numbers.

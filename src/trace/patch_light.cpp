@@ -114,7 +114,8 @@ Rgbd Patches::light_of_lamps(int index) const {
 }
 
 Rgbd Patches::straight_light(int index, const Vec3d& at, const std::vector<int>& sources) const {
-  constexpr int few = 2, many = 6;  // rays along each side of a light: many where it is partly hidden
+  constexpr int few = 2, many = 6;  // rays along each side of a light: many where it is near or partly hidden
+  constexpr double near = 4;        // of its reach
   const Patch& patch = (*this)[index];
   Rgbd sum(0.0);
   for (const int id : sources) {
@@ -127,8 +128,9 @@ Rgbd Patches::straight_light(int index, const Vec3d& at, const std::vector<int>&
     sum += factor * visible * source.emission;
   }
   for (const World<double>::Light& light : world_->lights) {
-    LampLight found = light_of(light, patch, at, few);
-    if (found.partly_hidden) found = light_of(light, patch, at, many);
+    const bool is_near = !light.is_distant && length(light.direction_to(light.place, at)) < near * light.reach;
+    LampLight found = light_of(light, patch, at, is_near ? many : few);
+    if (found.partly_hidden && !is_near) found = light_of(light, patch, at, many);
     sum += found.irradiance;
   }
   return sum;

@@ -52,7 +52,7 @@ class PhotonLights {
   static constexpr int draws = 9;
   /// `u`: `draws` numbers in [0, 1).
   [[nodiscard]] EmittedPhoton<T> emit(const T (&u)[draws]) const;
-  /// The factor of a lamp's own law on what its photon brings to the first surface, at this distance.
+  /// The factor of a lamp's own law on what its photon brings to this distance, by mirrors and through clear glass too.
   [[nodiscard]] T weight_at(const typename World<T>::Light& lamp, T distance) const {
     return (flat_ ? distance : distance * distance) / lamp.attenuation(distance);
   }

@@ -87,14 +87,17 @@ auto PhotonTracer<Policy>::find_closest(const PhotonRay& photon) -> Nearest {
   return nearest;
 }
 
-/// The hit, ready to scatter the photon; its throughput is the power that arrives. The first surface applies the law of
-/// the lamp.
+/// The hit, ready to scatter the photon; its throughput is the power that arrives, by the law of the lamp over the
+/// whole way from it.
 template <class Policy>
 auto PhotonTracer<Policy>::arrive(const PhotonRay& photon, const Hit<T>& hit) -> Vertex {
   NoDifferential<T> none;
   Vertex at = prepare_vertex<Policy>(world_, nested_, photon, hit, statistics_, none);
   take_flat(at);
-  if (photon.lamp) at.throughput *= lights_.weight_at(*photon.lamp, hit.t);
+  if (photon.lamp) {
+    at.throughput *= lights_.weight_at(*photon.lamp, photon.travelled + hit.t);
+    if (photon.travelled > 0) at.throughput *= 1 / lights_.weight_at(*photon.lamp, photon.travelled);
+  }
   return at;
 }
 
@@ -216,13 +219,19 @@ auto PhotonTracer<Policy>::form_next_photon(const PhotonRay& photon, const Verte
   const bool through = choice.lobe == Lobe::transparent;
   PhotonHistory history = PhotonHistory::indirect;
   if (choice.lobe != Lobe::diffuse && photon.history != PhotonHistory::indirect) history = PhotonHistory::caustic;
-  const PhotonRay next{spawn_ray<Ray>(world_, at.position, at.outward_normal, at.departure, choice.direction, at.time),
-                       at.throughput * choice.weight * (1 / survival),
-                       at.length + 1,
-                       rays_formed_++,
-                       history,
-                       nullptr,
-                       through ? at.behind : at.medium};
+  PhotonRay next{spawn_ray<Ray>(world_, at.position, at.outward_normal, at.departure, choice.direction, at.time),
+                 at.throughput * choice.weight * (1 / survival),
+                 at.length + 1,
+                 rays_formed_++,
+                 history,
+                 nullptr,
+                 0,
+                 through ? at.behind : at.medium};
+  // Behind a mirror and through clear glass the lamp is still seen, from so far away.
+  if (const bool sharp = choice.pdf == 0; sharp && photon.lamp != nullptr) {
+    const T travelled = photon.travelled + length(at.position - Vec3<T>(photon.ray.origin));
+    if (lights_.weight_at(*photon.lamp, travelled) > 0) next.lamp = photon.lamp, next.travelled = travelled;
+  }
   ++statistics_.formed(RayKind::photon);
   note(Line::photon_form_next_ray, at.length, [&] {
     RayFormed event{next.number,          at.number, RayKind::photon, Vec3d(next.ray.origin), Vec3d(choice.direction),

@@ -102,7 +102,8 @@ class PhotonTracer {
     int length;         ///< rays since the light, this one included
     int number;         ///< in the recording; 0 without an observer
     PhotonHistory history;
-    const Light* lamp;               ///< whose law of attenuation is still to be applied; null: none
+    const Light* lamp;               ///< whose law of attenuation applies to the whole way so far; null: none
+    T travelled = 0;                 ///< from the lamp to where this ray begins
     const Medium* medium = nullptr;  ///< that it travels in, if known
   };
   /// A ray that light is gathered along.

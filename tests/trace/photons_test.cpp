@@ -85,6 +85,34 @@ TEST_CASE("a ball that glows inside is as bright everywhere as what it emits ove
   }
 }
 
+TEST_CASE("a lamp's law goes by the whole way of its photons, past clear glass and mirrors too") {
+  // A lamp above a floor, with a pane between them that bends nothing, or below a mirror, in which it stands once more.
+  const Attenuation law = GENERATE(no_law, law_of_distance, law_of_square);
+  const bool mirrored = GENERATE(false, true);
+  Material pane = matt(0);
+  (mirrored ? pane.reflection : pane.transmission) = Rgbd(1.0);
+  pane.ior = 1;
+  Scene scene;
+  scene.objects = {{"Floor", Disk<double>{{0, 0, 0}, {0, 0, 1}, 0.8}, matt(0.8)},
+                   {"Pane", Disk<double>{{0, 0, mirrored ? 3.0 : 1.5}, {0, 0, 1}, 1.5}, pane}};
+  scene.lights = {{"Lamp", Rgbd(1.0), PointLight{{0, 0, mirrored ? 1.5 : 3}, law}}};
+  scene.camera.eye = {0.4, -0.4, 0.5};
+  scene.camera.look_at = {0.4, 0, 0};
+  scene.camera.screen = {1, 0.1, 6};
+  scene = by_photons(scene, 400000, 10000);
+  scene.render.photons.radius = 0.15;
+  scene.render.photons.gather = false;
+  const auto brought = [&](double height) {
+    const double distance = std::hypot(height, 0.4);
+    return 0.8 * height / distance / (law.constant + law.linear * distance + law.quadratic * distance * distance);
+  };
+  const double truth = mirrored ? brought(1.5) + brought(4.5) : brought(3);
+  const Means found = mean_of_pictures(scene, 4, 4, 1, 8);
+  INFO("mean " << found.mean << " +- " << found.error << ", truth " << truth);
+  CHECK(found.error < 0.03 * truth);
+  CHECK(std::abs(found.mean - truth) < 4 * found.error + 0.01 * truth);
+}
+
 TEST_CASE("photons that a sheet scatters to the side bring what it shines there") {
   // Sunlight comes straight down on a sheet that is not refracting. Within 80 degrees it shines as brightly everywhere:
   // by what comes in, over the solid angle of the cone. A floor beside it is in the shade.
