@@ -173,14 +173,14 @@ template <class Watcher>
 Rgbd BeamTracer<Watcher>::shade_beside(int depth, const Part& beside, const Rgbd& mirrored, const Rgbd& beyond) {
   if (!beside.at) return detail::shade_of_middle(world_, beside, Rgbd(0.0)).total;
   const SurfaceVertex<double>& at = *beside.at;
-  const auto mirrors = detail::mirrors_at(world_, at);
   Rgbd direct{0.0};
   for (const Light& light : detail::lights_on(world_, beside)) {
     const LightSeen seen = seen_of(light, at);
     if (detail::why_unlit(at, light, seen.to_light)) continue;
-    const Rgbd visible = light_through(beside, shadow_to(at, seen, 0), light).transmittance;
+    const Shadow shadow = shadow_to(at, seen, 0);
+    const Rgbd visible = light_through(beside, shadow, light).transmittance;
     if (is_black(visible)) continue;
-    const auto brought = detail::light_on(at, beside.ray, light, seen.to_light, visible, mirrors);
+    const detail::PartLight<double> brought = light_on(beside, light, shadow, visible);
     direct += brought.diffuse + brought.specular;
   }
   const Rgbd followed =
@@ -289,6 +289,24 @@ Rgbd BeamTracer<Watcher>::find_intersection(int depth, const Part& part, const S
   return through.transmittance;
 }
 
+/// Of a light with an extent the mean over what of it lies before the surface.
+template <class Watcher>
+detail::PartLight<double> BeamTracer<Watcher>::light_on(const Part& part, const Light& light, const Shadow& shadow,
+                                                        const Rgbd& visible) const {
+  const auto mirrors = detail::mirrors_at(world_, *part.at);
+  detail::LightPoints<double> points;
+  if (shadow.fan) {
+    const Vec2d across = shadow.fan->end - shadow.fan->begin;
+    points.all = detail::points_along_light(*part.at, mirrors.slope, length(across) / length(shadow.ray.direction));
+    for (int i = 0; i < points.all; ++i)
+      points.to.emplace_back(shadow.fan->begin + ((i + 0.5) / points.all) * across,
+                             light.place.z - part.at->position.z);
+  } else {
+    points.to = {shadow.ray.direction};
+  }
+  return detail::light_on(*part.at, part.ray, light, points, visible, mirrors.shown);
+}
+
 template <class Watcher>
 void BeamTracer<Watcher>::add_unlit(DirectLighting& direct, const Light& light) {
   if constexpr (Observer::watches) direct.terms.push_back({light.index});
@@ -298,8 +316,7 @@ template <class Watcher>
 void BeamTracer<Watcher>::add_light(DirectLighting& direct, const Part& part, const Light& light, const Shadow& shadow,
                                     const Rgbd& visible) {
   if (is_black(visible)) return add_unlit(direct, light);
-  const auto brought =
-      detail::light_on(*part.at, part.ray, light, shadow.ray.direction, visible, detail::mirrors_at(world_, *part.at));
+  const detail::PartLight<double> brought = light_on(part, light, shadow, visible);
   direct.sum += brought.diffuse + brought.specular;
   if constexpr (Observer::watches) direct.terms.push_back({light.index, brought.diffuse, brought.specular});
 }

@@ -194,6 +194,8 @@ class BeamTracer {
   [[nodiscard]] Rgbd shade_beside(int depth, const Part& beside, const Rgbd& mirrored, const Rgbd& beyond);
   Rgbd find_intersection(int depth, const Part& part, const Shadow& shadow, const Light& light);
   [[nodiscard]] LightSeen seen_of(const Light& light, const SurfaceVertex<double>& at) const;
+  [[nodiscard]] detail::PartLight<double> light_on(const Part& part, const Light& light, const Shadow& shadow,
+                                                   const Rgbd& visible) const;
   [[nodiscard]] std::optional<PixelFan> fan_to(const Light& light, const Vec3d& from) const;
   [[nodiscard]] Found light_through(const Part& part, const Shadow& shadow, const Light& light);
   [[nodiscard]] Found find_uncovered(const Part& part, const Shadow& shadow, const Light& light);

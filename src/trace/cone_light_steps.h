@@ -11,30 +11,63 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
+#include <utility>
 
 namespace raywalk {
 
-/// From the part's width at the surface to the light's.
+/// Of a light with an extent those that light the part.
+template <class T, class Watcher, bool with_maps>
+detail::LightPoints<T> ConeTracer<T, Watcher, with_maps>::points_of(const Part& part, const Light& light) const {
+  const Vertex& at = *part.at;
+  const Vec3<T> to_middle = light.direction_to(light.place, at.position);
+  detail::LightPoints<T> points;
+  const auto add = [&](const Vec3<T>& to_light) {
+    if (!detail::why_unlit(at, light, to_light)) points.to.push_back(to_light);
+  };
+  const double distance = length(Vec3d(to_middle));
+  if (!detail::has_extent(world_, light) || !(distance > 0)) {
+    add(to_middle);
+    return points;
+  }
+  const Vec3d l = Vec3d(to_middle) / distance;
+  const double radius = detail::radius_of_light<T>(light, l, flat_);
+  const double side = 2 * (flat_ ? radius : static_cast<double>(light.reach)) / distance;
+  const int edge = detail::points_along_light(at, static_cast<T>(part.slope), side);
+  points.all = flat_ ? edge : edge * edge;
+  const Vec3d across = radius * Vec3d(-l.y, l.x, 0);
+  for (int i = 0; i < points.all; ++i)
+    add(flat_ ? to_middle + Vec3<T>(((2 * i + 1.0) / edge - 1) * across)
+              : light.direction_to(light.regular(i, edge), at.position));
+  return points;
+}
+
+/// From the part's width at the surface to that of what is seen of the light.
 template <class T, class Watcher, bool with_maps>
 auto ConeTracer<T, Watcher, with_maps>::form_shadow_cone(int depth, const Part& part, const Cone& cone,
                                                          const Light& light) -> std::optional<Shadow> {
   const Vertex& at = *part.at;
-  const Vec3<T> to_light = light.direction_to(light.place, at.position);
+  Vec3<T> to_light = light.direction_to(light.place, at.position);
   const Rgb<T> throughput = cone.throughput * static_cast<T>(part.share);
-  if (const auto why = detail::why_unlit(at, light, to_light)) {
-    ++statistics_.ends(*why);
+  detail::LightPoints<T> points = points_of(part, light);
+  if (points.to.empty()) {
+    const Ending why = detail::why_unlit(at, light, to_light).value_or(Ending::facing_away);
+    ++statistics_.ends(why);
     note(Line::form_shadow_cone, depth, [&] {
-      return RayNotFormed{part.number,     RayKind::shadow,  *why,       Vec3d(at.position),
+      return RayNotFormed{part.number,     RayKind::shadow,  why,        Vec3d(at.position),
                           Vec3d(to_light), Rgbd(throughput), light.index};
     });
     return std::nullopt;
   }
+  const double seen = points.share();
+  if (seen < 1) to_light = std::accumulate(points.to.begin(), points.to.end(), Vec3<T>(0)) / T(points.to.size());
   const Vec3d whole(to_light);
   const double distance = length(whole);
   const Vec3d l = whole / distance;
-  const double end = light.is_distant ? part.width.radius : detail::radius_of_light<T>(light, l, flat_);
+  const double end = light.is_distant ? part.width.radius
+                                      : (flat_ ? seen : std::sqrt(seen)) * detail::radius_of_light<T>(light, l, flat_);
   const Shadow shadow{cone_about(Vec3d(at.position), l, part.width.radius, (end - part.width.radius) / distance, flat_),
-                      to_light, rays_formed_++};
+                      to_light, std::move(points), rays_formed_++};
   ++statistics_.formed(RayKind::shadow);
   note(Line::form_shadow_cone, depth, [&] {
     RayFormed formed{shadow.number, part.number,      RayKind::shadow, shadow.cone.origin,
@@ -152,7 +185,7 @@ void ConeTracer<T, Watcher, with_maps>::add_light(DirectLighting& direct, const 
                                                   const Shadow& shadow, const Rgb<T>& uncovered) {
   if (is_black(uncovered)) return add_unlit(direct, light);
   const detail::PartLight<T> brought =
-      detail::light_on(*part.at, part.ray, light, shadow.to_light, uncovered, part.facets);
+      detail::light_on(*part.at, part.ray, light, shadow.points, uncovered, part.facets);
   direct.sum += brought.diffuse + brought.specular;
   if constexpr (Observer::watches) direct.terms.push_back({light.index, Rgbd(brought.diffuse), Rgbd(brought.specular)});
 }

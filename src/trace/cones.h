@@ -6,11 +6,11 @@
 // trace/pseudocode.h, and a test holds them together; what a statement does stands in trace/cone_steps.h.
 //
 // Where it errs: shares of several objects are multiplied as if they had nothing to do with each other; a part is
-// shaded in one place, in its middle, and by the middle of a light, however near that is (by nothing of it where its
-// middle is behind the surface); a shadow cone starts as wide as the part and ends as wide as the light, which is
-// seen as a disc of its area (in the plan: as wide as it is) whatever its shape; a cone bent by a curved surface is
-// right near its axis only, and always round; small facets scatter evenly in a cone, without the tails that they have,
-// and as much of a metal's or a glass's light as one facet does. It draws no random numbers.
+// shaded in one place, in its middle; a shadow cone starts as wide as the part and ends as wide as what is seen of the
+// light, a disc of its area (in the plan: as wide as it is) whatever its shape, and how much of that is uncovered says
+// nothing of where; a cone bent by a curved surface is right near its axis only, and always round; small facets
+// scatter evenly in a cone, without the tails that they have, and as much of a metal's or a glass's light as one facet
+// does. It draws no random numbers.
 //
 // With n samples a pixel is n cones, each for its own share of the pixel.
 
@@ -80,7 +80,8 @@ class ConeTracer {
   };
   struct Shadow {
     RayCone cone;
-    Vec3<T> to_light;  ///< to its middle, at t = 1; to a distant light of unit length
+    Vec3<T> to_light;  ///< to the middle of what is seen of it, at t = 1; to a distant light of unit length
+    detail::LightPoints<T> points;
     int number;
   };
   /// What lights bring; each one's term only when observed.
@@ -145,6 +146,7 @@ class ConeTracer {
   [[nodiscard]] BeamArea area_of(const RayCone& cone, const ConePart& part) const;
   int call_shade_cone(Line line, int depth, const Cone& cone);
   void begin(int depth, const std::vector<Part>& parts, const Part& part);
+  [[nodiscard]] detail::LightPoints<T> points_of(const Part& part, const Light& light) const;
   std::optional<Shadow> form_shadow_cone(int depth, const Part& part, const Cone& cone, const Light& light);
   Rgb<T> find_uncovered(int depth, const Part& part, const Shadow& shadow, const Light& light);
   [[nodiscard]] int primitive_of(const ConePart& blocker) const {

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -124,6 +125,41 @@ template <class T, bool with_maps>
   return brought;
 }
 
+/// Of points all over a light, without random numbers, those that a part sees.
+template <class T>
+struct LightPoints {
+  std::vector<Vec3<T>> to;  ///< from the part's middle; as `light_on` takes it
+  int all = 1;              ///< that stand for the light, each for an equal share
+
+  [[nodiscard]] double share() const { return static_cast<double>(to.size()) / all; }
+};
+
+template <class T, bool with_maps>
+[[nodiscard]] PartLight<T> light_on(const SurfaceVertex<T, true, with_maps>& at, const Ray<T>& ray,
+                                    const typename World<T>::Light& light, const LightPoints<T>& points,
+                                    const Rgb<T>& arriving, const std::optional<Bsdf<T, true, with_maps>>& facets) {
+  PartLight<T> sum;
+  const Rgb<T> of_each = arriving / static_cast<T>(points.all);
+  for (const Vec3<T>& to_light : points.to) {
+    const PartLight<T> brought = light_on(at, ray, light, to_light, of_each, facets);
+    sum.diffuse += brought.diffuse, sum.specular += brought.specular;
+  }
+  return sum;
+}
+
+/// How many points along each side of a light with an extent: so many that their highlights run together. `side`: of
+/// the light as it is seen, in radians; `slope`: of `facets_at`.
+template <class T, bool with_maps>
+[[nodiscard]] int points_along_light(const SurfaceVertex<T, true, with_maps>& at, T slope, double side) {
+  constexpr double few = 4, many = 24;
+  // Of a highlight, as a standard deviation of half the angle between lights that show it in the same place; where
+  // there is none, so that lights that are as near as they are wide are right to 2%.
+  double width = 0.05;
+  if (!is_black(at.specular)) width = std::min(width, 1 / std::sqrt(static_cast<double>(at.values().shininess)));
+  if (slope > 0) width = std::min(width, static_cast<double>(slope) / std::numbers::sqrt2);
+  return static_cast<int>(std::clamp(std::ceil(side / (2 * width)), few, many));
+}
+
 /// Small facets of a surface, although nothing is drawn of them: `slope`, their roughness, 0 for none; and the BSDF
 /// with them, which shows their highlight. None of glass that bends nothing.
 template <class T, bool with_maps>
@@ -159,11 +195,10 @@ template <class T, bool with_maps>
 }
 /// The small mirrors of `facets_at`, where rough glass is taken as clear.
 template <class T, bool with_maps>
-[[nodiscard]] std::optional<Bsdf<T, true, with_maps>> mirrors_at(const World<T>& world,
-                                                                 const SurfaceVertex<T, true, with_maps>& at) {
-  auto facets = facets_at(world, at).shown;
-  if (facets && facets->glass != nullptr) facets.reset();
-  return facets;
+[[nodiscard]] PartFacets<T, with_maps> mirrors_at(const World<T>& world, const SurfaceVertex<T, true, with_maps>& at) {
+  auto facets = facets_at(world, at);
+  if (facets.shown && facets.shown->glass == nullptr) return facets;
+  return {};
 }
 
 /// Whether a surface shows lights, and so their shadows: what it has everywhere, without maps.

@@ -180,7 +180,7 @@ template <class T, class Watcher>
 void SpaceBeamTracer<T, Watcher>::add_light(DirectLighting& direct, const Part& part, const Light& light,
                                             const std::vector<Arriving>& arriving) {
   detail::PartLight<T> brought;
-  const auto mirrors = detail::mirrors_at(world_, *part.at);
+  const auto mirrors = detail::mirrors_at(world_, *part.at).shown;
   for (const Arriving& from : arriving) {
     if (!detail::receives(*part.at, from.to_light) || is_black(from.share)) continue;
     const auto one = detail::light_on(*part.at, part.ray, light, from.to_light, from.share, mirrors);

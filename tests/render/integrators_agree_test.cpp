@@ -144,6 +144,32 @@ material = { diffuse = 0 }
   CHECK(std::abs(mean(pixels_by(shaded, Integrator::beams)).x - in_shadow.x) < 0.03 * expected.x);
 }
 
+TEST_CASE("a lamp as near as it is wide lights by all of it that is above the horizon, not by its middle") {
+  // A square of a matt floor, seen from above, where its light is the same to 0.1%; what is seen is the mean over the
+  // lamp of kd cos / r^2.
+  struct Lamp {
+    const char* kind;
+    double expected;
+  };
+  const Lamp lamp =
+      GENERATE(Lamp{"\"rectangle\"\ncorner = [-1, -1, 0.6]\nu = [2, 0, 0]\nv = [0, 2, 0]", 0.6609},  // above it
+               Lamp{"\"rectangle\"\ncorner = [1, -1, -1]\nu = [0, 2, 0]\nv = [0, 0, 2]",
+                    0.2 * 2 * (std::asinh(1) - std::asinh(std::sqrt(0.5)))},                  // half below
+               Lamp{"\"sphere\"\nposition = [1.2, 0, 0]\nradius = 0.6", 0.0772},              // half below
+               Lamp{"\"sphere\"\nposition = [0, 0, 1.2]\nradius = 0.6", 0.8 / (1.2 * 1.2)});  // above it
+  const std::string scene = fmt::format(
+      "ambient = 0\n[camera]\neye = [0, 0, 20]\nlook_at = [0, 0, 0]\nup = [0, 1, 0]\nfov = 0.01\n[image]\nwidth = "
+      "1\nheight = 1\n[[light]]\nname = \"Lamp\"\nattenuation = [0, 0, 1]\nsamples = 16\ntype = {}\n"
+      "[[object]]\nname = \"Floor\"\ntype = \"flat_polygon\"\ncorners = [[-0.1, -0.1, 0], [0.1, -0.1, 0], [0.1, "
+      "0.1, 0], [-0.1, 0.1, 0]]\n[object.material]\ndiffuse = 0.8\n",
+      lamp.kind);
+  CAPTURE(lamp.kind);
+  for (const Integrator integrator : {Integrator::whitted, Integrator::cones, Integrator::beams}) {
+    CAPTURE(name_of(integrator));
+    CHECK(pixels_by(scene, integrator)[0].x == Approx(lamp.expected).epsilon(0.02));
+  }
+}
+
 TEST_CASE("without random numbers, too, a sphere of light shines like its middle, to each side") {
   // Its points have the field of a charged shell (Newton's theorem); regular ones nearly so.
   const auto square = [](double z) {

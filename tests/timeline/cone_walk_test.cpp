@@ -183,6 +183,22 @@ TEST_CASE("a shadow cone from a place to a lamp: what an edge leaves of it, as i
   CHECK(partly > 20);
 }
 
+TEST_CASE("in the plan a lamp nearer than it is wide lights by all of it, not by its middle") {
+  Scene scene = plain_scene(GENERATE(Integrator::cones, Integrator::beams));
+  Material matt;
+  matt.diffuse = Rgbd(1.0);
+  matt.ambient = Rgbd(0.0);
+  scene.background = scene.ambient = Rgbd(0.0);
+  scene.objects = {{"Ground", Box<double>{{4, -20, -1}, {5, 20, 1}}, matt}};
+  scene.lights = {{"Lamp", Rgbd(1.0), RectangleLight{{3.7, -0.5, -0.05}, {0, 1, 0}, {0, 0, 0.1}, 4, {1, 0, 0}}}};
+  scene.camera.screen.cells = 601;
+  // The mean of the cosine over the lamp, from the place before its middle.
+  CHECK(shades_of_strip(scene)[300].x == Approx(2 * 0.3 * std::asinh(0.5 / 0.3)).epsilon(0.005));
+  // Its half in the wall lights nothing, and from a place aside the other one's cosines are (c - cos) / r.
+  scene.lights = {{"Lamp", Rgbd(1.0), RectangleLight{{3, 1, -0.05}, {2, 0, 0}, {0, 0, 0.1}, 4, {1, 0, 0}}}};
+  CHECK(shades_of_strip(scene)[300].x == Approx((std::sqrt(2) - 1) / 2).epsilon(0.01));
+}
+
 TEST_CASE("one cone a pixel is nearer to many samples than one sample is, with gloss and penumbras") {
   Scene scene = cone_lit();
   scene.image = {32, 24};
