@@ -204,6 +204,22 @@ TEST_CASE("once it is known the bug can be mended and made again, and the other 
   }
 }
 
+TEST_CASE("a bug that is mended and planted again keeps the place, before the first pixel, too") {
+  for (int number = 1; number <= static_cast<int>(values_of<Fault>.size()); ++number) {
+    State state = hunting(number);
+    update(state, action::Jump{4});
+    const int pixel = state.walk.timeline->current_pixel(4);
+    const Line line = state.walk.timeline->just_run(4)->line;
+    for (const bool mended : {true, false}) {
+      update(state, action::MendBug{mended});
+      CAPTURE(number, mended, state.walk.position, state.walk.timeline->steps());
+      CHECK(state.walk.position < 10);
+      CHECK(state.walk.timeline->current_pixel(state.walk.position) == pixel);
+      CHECK(state.walk.timeline->just_run(state.walk.position)->line == line);
+    }
+  }
+}
+
 TEST_CASE("leaving a hunt gives back scene, unsaved work, undo and place, whatever was done in it") {
   const TemporaryFolder folder;
   State state = at_work(folder);

@@ -367,6 +367,19 @@ TEST_CASE("what was dropped onto another body can be taken up again") {
   CHECK(state.scene().objects[static_cast<std::size_t>(glass)] != covered.objects[static_cast<std::size_t>(glass)]);
 }
 
+TEST_CASE("a floor and a ceiling leave what stands between them to the pointer, wherever they are in the file") {
+  State state = classic_state();
+  update(state, action::Open{RAYWALK_SOURCE_DIR "/scenes/radiosity.toml"});
+  update(state, action::SetMode{Mode::move});
+  for (const char* name : {"Block", "Lamp", "Red wall", "Back wall"}) {
+    CAPTURE(name);
+    const Target target{TargetKind::object, index_of_object(state.scene(), name)};
+    CHECK(pick(state, pixels_of(state, target)) == target);
+  }
+  const Vec2d nothing_there = pixels_of(state, {TargetKind::object, index_of_object(state.scene(), "Floor")});
+  CHECK(pick(state, nothing_there) == Target{TargetKind::object, index_of_object(state.scene(), "Floor")});
+}
+
 TEST_CASE("a finger takes a handle within 22 pixels, and a body where its middle is nearer") {
   State state = busy_state();
   const Target handle{TargetKind::radius, 0};

@@ -334,6 +334,24 @@ TEST_CASE("an edit keeps the place in the walk") {
   CHECK(state.walk.position == state.walk.timeline->steps());
 }
 
+TEST_CASE("an edit keeps the place in what is done before the first pixel") {
+  for (const char* name : {"caustic", "radiosity"}) {
+    State state = classic_state();
+    update(state, action::Open{std::string(RAYWALK_SOURCE_DIR "/scenes/") + name + ".toml"});
+    const int whole = state.walk.timeline->steps();
+    for (const int position : {1, 10, state.walk.timeline->pixels().front().begun_at - 1}) {
+      update(state, action::Jump{position});
+      const Line line = state.walk.timeline->just_run(position)->line;
+      Material material = state.scene().objects[0].material;
+      material.ambient += Rgbd(0.125);
+      update(state, action::SetMaterial{0, material});
+      CAPTURE(name, position, state.walk.position, whole);
+      CHECK(state.walk.timeline->current_pixel(state.walk.position) == -1);
+      CHECK(state.walk.timeline->just_run(state.walk.position)->line == line);
+    }
+  }
+}
+
 TEST_CASE("history stays within its bounds") {
   State state = busy_state();
   for (std::size_t i = 0; i < undo_entries + 40; ++i) {

@@ -7,6 +7,7 @@
 #include "support/languages.h"
 #include "view/drawing/svg.h"
 #include "view/outline.h"
+#include "view/plan/painter.h"
 #include "view/plan/plan_geometry.h"
 #include "view/text/text.h"
 
@@ -348,6 +349,24 @@ TEST_CASE("a stroke keeps its shape with few points, and is drawn round") {
   CHECK(simplified({{0, 0}, {1, 0}, {2, 0}, {2, 1}}, 0.1).size() == 3);
   CHECK(rounded({3.4519999, -0.0004}, 0.001) == Vec2d(3.452, 0));
   CHECK(rounded({123456.7, 5}, 60) == Vec2d(123500, 0));
+}
+
+TEST_CASE("the plate under words is hardly wider than they are") {
+  State state = inking(InkTool::text);
+  const std::string words = "Hola, ray (q) 1";
+  state.document.contents.ink = {{InkText{{-2, 2}, words}}};
+  const DisplayList list = plan_view(state);
+  double plate = 0;
+  for (const DisplayItem& item : list) {
+    if (const auto* text = std::get_if<TextItem>(&item.shape); text != nullptr && text->text == words) {
+      CHECK(plate > width_of(words, text->size));
+      CHECK(plate < width_of(words, text->size) + text->size);
+      return;
+    }
+    if (const auto* polygon = std::get_if<PolygonItem>(&item.shape); polygon != nullptr && polygon->points.size() == 4)
+      plate = polygon->points[1].x - polygon->points[0].x;
+  }
+  FAIL("the words are not there");
 }
 
 TEST_CASE("ink is seen on the plan in every colour and theme") {

@@ -26,7 +26,7 @@ Stroke ink_stroke(const Painter& painter, const InkMark& mark, double width) {
 /// Words on a plate, so that they are read across rays; `at`: as TextItem has it.
 void add_words(Painter& painter, const Vec2d& at, const std::string& words, double size, Colour colour,
                TextAnchor anchor) {
-  const double width = text_width(words, size), gap = 0.25 * size;
+  const double width = width_of(words, size), gap = 0.25 * size;
   const double left = anchor == TextAnchor::start    ? at.x
                       : anchor == TextAnchor::middle ? at.x - width / 2
                                                      : at.x - width;
@@ -39,7 +39,7 @@ void add_words(Painter& painter, const Vec2d& at, const std::string& words, doub
 /// The words of a tool in the middle of the first of these places where they cover no name; else in the first.
 void add_reading(Painter& painter, const std::vector<Vec2d>& places, const std::string& words, Colour colour) {
   const double size = painter.sizes.text;
-  const Vec2d half(text_width(words, size) / 2 + 0.25 * size, 0.62 * size);
+  const Vec2d half(width_of(words, size) / 2 + 0.25 * size, 0.62 * size);
   const auto free = std::find_if(places.begin(), places.end(),
                                  [&](const Vec2d& at) { return !painter.covers_kept({at - half, at + half}); });
   add_words(painter, free == places.end() ? places.front() : *free, words, size, colour, TextAnchor::middle);
@@ -84,7 +84,7 @@ void draw(Painter& painter, const InkMark& mark, const Ruler& ruler) {
   }
   const std::string words = reading_of(mark, painter.state.appearance.language);
   // On the side without marks, else on the other.
-  const double half = text_width(words, painter.sizes.text) / 2;
+  const double half = width_of(words, painter.sizes.text) / 2;
   const double away = 6 * unit + std::abs(across.x) * half + std::abs(across.y) * 0.62 * painter.sizes.text;
   const Vec2d first = painter.seen_end(to, from), last = painter.seen_end(from, to);
   std::vector<Vec2d> places;
@@ -115,7 +115,7 @@ void draw(Painter& painter, const InkMark& mark, const Protractor& tool) {
   }
   const Vec2d middle(std::cos(begin + turn / 2), std::sin(begin + turn / 2));
   const std::string words = reading_of(mark, painter.state.appearance.language);
-  const double half = text_width(words, painter.sizes.text) / 2;
+  const double half = width_of(words, painter.sizes.text) / 2;
   const double away = radius + 6 * unit + std::abs(middle.x) * half + std::abs(middle.y) * 0.62 * painter.sizes.text;
   std::vector<Vec2d> places;
   for (const double farther : {0.0, 20.0, 40.0, 70.0}) places.push_back(vertex + (away + farther * unit) * middle);

@@ -112,6 +112,15 @@ void draw_footprint(Painter& painter, const Object& object, const Target& target
   painter.add(PolygonItem{points, body.with_alpha(body.a / 3), outline}, target);
 }
 
+/// Whether it lies above or below the plan.
+bool is_off_plan(const Object& object) {
+  if (std::holds_alternative<Plane<double>>(object.shape)) return false;
+  if (const auto* sphere = std::get_if<Sphere<double>>(&object.shape); sphere != nullptr && object.transform.empty())
+    return !meets_plan(*sphere);
+  const std::optional<Bounds<double>> box = footprint_of(object);
+  return box && (box->min.z > 0 || box->max.z < 0);
+}
+
 void draw_object(Painter& painter, const Object& object, const Target& target, Colour body) {
   if (std::holds_alternative<Plane<double>>(object.shape)) return draw_plane(painter, object, target, body);
   if (!object.transform.empty()) return draw_footprint(painter, object, target, body);
@@ -181,8 +190,16 @@ void draw_objects(Painter& painter) {
   const bool moving = painter.state.walk.mode == Mode::move;
   const int on_top = moving && belongs_to_object(painter.state.plan.selected) ? painter.state.plan.selected.index : -1;
   Thinning crowd(painter);
-  for (int index = 0; index < static_cast<int>(objects.size()); ++index)
-    if (index != on_top && !crowd.hides(objects[static_cast<std::size_t>(index)])) draw(index);
+  std::vector<int> in_plan;  // a floor or a ceiling lies beneath these, and leaves them to the pointer
+  for (int index = 0; index < static_cast<int>(objects.size()); ++index) {
+    const Object& object = objects[static_cast<std::size_t>(index)];
+    if (index == on_top || crowd.hides(object)) continue;
+    if (is_off_plan(object))
+      draw(index);
+    else
+      in_plan.push_back(index);
+  }
+  std::for_each(in_plan.begin(), in_plan.end(), draw);
   if (on_top >= 0) draw(on_top);
 }
 

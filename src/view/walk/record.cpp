@@ -91,15 +91,29 @@ bool alike(const RayRecord& a, const RayRecord& b) {
   return a.parent == b.parent && a.kind == b.kind && a.light == b.light;
 }
 
-/// The ray of a pixel in `after` that corresponds to `ray` in `before`; -1: none.
+/// Of a walk: one sample of a pixel, from its begin until it is done; -1: what comes before the first.
+struct Stretch {
+  int begin, end;
+  Timeline::Range rays;
+};
+Stretch stretch(const Timeline& timeline, int pixel) {
+  if (pixel >= 0) {
+    const PixelRecord& record = timeline.pixels()[static_cast<std::size_t>(pixel)];
+    return {record.begun_at, record.done_at, timeline.rays_of_pixel(pixel)};
+  }
+  const int end = timeline.pixels().empty() ? timeline.steps() : timeline.pixels().front().begun_at - 1;
+  return {0, end, {0, static_cast<int>(timeline.rays_at(end).size())}};
+}
+
+/// The ray of a stretch in `after` that corresponds to `ray` in `before`; -1: none.
 int same_ray(const Timeline& before, int ray, const Timeline& after, int pixel) {
   const std::vector<RayRecord>&rays = before.rays(), &others = after.rays();
   RayRecord sought = rays[static_cast<std::size_t>(ray)];
-  const int first = before.rays_of_pixel(pixel).first;
+  const int first = stretch(before, pixel).rays.first;
   const auto ahead = std::count_if(rays.begin() + first, rays.begin() + ray,
                                    [&](const RayRecord& other) { return alike(other, sought); });
   if (sought.parent >= 0) sought.parent = sought.parent < first ? -1 : same_ray(before, sought.parent, after, pixel);
-  const Timeline::Range range = after.rays_of_pixel(pixel);
+  const Timeline::Range range = stretch(after, pixel).rays;
   int found = 0;
   for (int i = range.first; i < range.last; ++i)
     if (alike(others[static_cast<std::size_t>(i)], sought) && found++ == ahead) return i;
@@ -111,17 +125,15 @@ int same_place(const Timeline& before, int position, const Timeline& after) {
   if (position <= 0) return 0;
   if (position >= before.steps()) return after.steps();
   const int pixel = before.current_pixel(position);
-  if (pixel < 0 || pixel >= static_cast<int>(after.pixels().size())) return after.steps();
-  const PixelRecord& old_pixel = before.pixels()[static_cast<std::size_t>(pixel)];
-  const PixelRecord& new_pixel = after.pixels()[static_cast<std::size_t>(pixel)];
-  if (position == old_pixel.done_at) return new_pixel.done_at;
+  if (pixel >= static_cast<int>(after.pixels().size())) return after.steps();
+  const Stretch old = stretch(before, pixel), now = stretch(after, pixel);
+  if (position == old.end) return now.end;
   const int ray = before.current_ray(position);
-  const int other = ray < before.rays_of_pixel(pixel).first ? -1 : same_ray(before, ray, after, pixel);
-  if (other < 0) return std::min(new_pixel.begun_at + (position - old_pixel.begun_at), new_pixel.done_at);
+  const int other = ray < old.rays.first ? -1 : same_ray(before, ray, after, pixel);
+  if (other < 0) return std::min(now.begin + (position - old.begin), now.end);
   const int since = position - before.rays()[static_cast<std::size_t>(ray)].formed_at;
-  const int last = other + 1 < after.rays_of_pixel(pixel).last
-                       ? after.rays()[static_cast<std::size_t>(other) + 1].formed_at - 1
-                       : new_pixel.done_at;
+  const int last =
+      other + 1 < now.rays.last ? after.rays()[static_cast<std::size_t>(other) + 1].formed_at - 1 : now.end;
   return std::min(after.rays()[static_cast<std::size_t>(other)].formed_at + std::max(since, 0), last);
 }
 
