@@ -102,6 +102,7 @@ ExportKind Browser::kind() const {
 }
 
 std::string Browser::name() const {
+  if (asking_ == PathPrompt::save_predictions && !fs::path(typed_).has_extension()) return typed_ + ".csv";
   return asking_ != PathPrompt::export_walk || export_kind_of(typed_) == kind() ? typed_ : with_ending(typed_, kind());
 }
 

@@ -18,13 +18,18 @@ namespace {
 
 void list(const Ui& ui, const BugPanel& panel) {
   const Shades shades(ui.state.appearance.theme);
+  int* const before = ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("chosen"));
+  const int now = ui.state.bugs.chosen.value_or(0);
+  const bool is_chosen_now = std::exchange(*before, now) != now;
   for (const BugRow& row : panel.rows) {
     std::string text = ui.say("bug.number", {{"number", row.number}});
     if (!row.of.empty()) text += " \u00b7 " + row.of;
     if (row.end == BugEnd::found) text += "  \u2713 " + ui.say("bug.found");
     if (row.end == BugEnd::given_up) text += "  \u00b7 " + ui.say("bug.given_up");
-    if (wide_button(ui, fmt::format("bug/{}", row.number), text, shades.raised, ui.colours.text, true))
+    if (wide_button(ui, fmt::format("bug/{}", row.number), text, row.chosen ? shades.accent : shades.raised,
+                    row.chosen ? shades.on_accent : ui.colours.text, true))
       ui.act(action::HuntBug{row.number});
+    if (row.chosen && is_chosen_now) ImGui::SetScrollHereY(0.5f);
   }
 }
 
@@ -112,6 +117,19 @@ void bug_pane(const Ui& ui, const Rect& where) {
                {.look = Look::plain, .icon = Icon::none, .font = ui.fonts.small}))
       ui.act(action::ShowBugs{false});
   }
+}
+
+bool bug_by_key(const KeyPress& press, const Ui& ui) {
+  const State& state = ui.state;
+  if (!state.bugs.shown || !chooses_from_list(state) || press.ctrl || press.alt || press.shift) return false;
+  if (press.key == "Up" || press.key == "Down") {
+    ui.act(action::ChooseBug{press.key == "Up" ? -1 : 1});
+  } else if (press.key == "Enter" && state.bugs.chosen) {
+    ui.act(action::HuntBug{*state.bugs.chosen});
+  } else {
+    return false;
+  }
+  return true;
 }
 
 namespace {

@@ -28,10 +28,12 @@ EffectWords effect_words(const Ui& ui) {
     return room.rays && room.rays->counted ? name + ": " + ui.say("effects.rays", {{"count", rays}}) : name;
   };
   EffectWords words;
-  for (const Effect effect : values_of<Effect>)
-    if (room.rays && room.rays->offered[number_of(effect)])
-      words.effects.emplace_back(effect, with_rays(capitalised(std::string(text(effect, ui.state.appearance.language))),
-                                                   room.rays->brought[number_of(effect)]));
+  for (const Effect effect : values_of<Effect>) {
+    const std::size_t number = number_of(effect);
+    if (!room.rays || !room.rays->offered[number]) continue;
+    const std::string name = capitalised(std::string(text(effect, ui.state.appearance.language)));
+    words.effects.emplace_back(effect, room.rays->can[number] ? with_rays(name, room.rays->brought[number]) : name);
+  }
   const int depth = room.depth.value_or(ui.state.scene().limits.depth);
   words.depth = with_rays(ui.say("effects.depth", {{"depth", depth}}), room.rays ? room.rays->by_depth : 0);
   if (room.rays && room.rays->counted) words.all = ui.say("effects.all_rays", {{"count", room.rays->all}});
@@ -62,8 +64,11 @@ float effect_rows(const Ui& ui, const Rect& where, bool draw) {
     const float width = button_width(ui, said, look);
     place(width);
     const std::string name = "effect/" + std::string(name_of(effect));
-    if (draw && button(ui, name, said, ui.say(on ? "effects.leave_out" : "effects.take_in"), {width, height}, look, on,
-                       room.rays->can[number_of(effect)]))
+    const bool can = room.rays->can[number_of(effect)];
+    const std::string_view hint = can                 ? (on ? "effects.leave_out" : "effects.take_in")
+                                  : ui.state.walk.bug ? "effects.with_bug"
+                                                      : "effects.fixed";
+    if (draw && button(ui, name, said, ui.say(hint), {width, height}, look, on, can))
       ui.act(action::SwitchEffect{effect, !on});
   }
   push_font(ui.fonts.small);

@@ -100,6 +100,8 @@ bool escape(const Ui& ui) {
     ui.act(action::LeaveHunt{});
   } else if (state.bugs.shown) {
     ui.act(action::ShowBugs{false});
+  } else if (state.lessons.shown) {
+    ui.act(action::ShowLessons{false});
   } else {
     return false;
   }
@@ -133,6 +135,7 @@ std::vector<KeyListRow> key_list(Language language) {
     }
   }
   list.push_back({"\u2190, \u2192, \u2191, \u2193", say("keys.arrows")});
+  list.push_back({"\u2191, \u2193", say("keys.up_down")});
   list.push_back({say("keys.name_while_dragging"), say("keys.while_dragging")});
   list.push_back({say("keys.name_wheel"), say("keys.wheel")});
   list.push_back({say("keys.name_mouse"), say("keys.mouse")});
@@ -167,7 +170,7 @@ bool press_key(const KeyPress& press, const Ui& ui) {
   if (link_by_key(press, ui)) return true;
   if (press.key == "Escape") return escape(ui);
   if (const auto direction = arrow(press.key);
-      direction && state.walk.mode == Mode::move && !press.ctrl && !press.alt) {
+      direction && state.walk.mode == Mode::move && !chooses_from_list(state) && !press.ctrl && !press.alt) {
     ui.act(action::Nudge{*direction, press.shift, press.repeated});
     return true;
   }
@@ -175,7 +178,7 @@ bool press_key(const KeyPress& press, const Ui& ui) {
     ui.wish(*way);
     return true;
   }
-  if (lesson_by_key(press, ui)) return true;
+  if (lesson_by_key(press, ui) || bug_by_key(press, ui) || guess_by_key(press, ui)) return true;
   const Command* const command = command_of(press, state.walk.mode);
   if (command == nullptr) return false;
   if (press.repeated && command->held != nullptr) {

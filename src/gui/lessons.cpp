@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace raywalk {
 
@@ -21,16 +22,19 @@ namespace {
 // `is_new`: just come to, so that the lesson to go on with is scrolled into view.
 void list(const Ui& ui, const LessonPanel& panel, bool is_new) {
   const Shades shades(ui.state.appearance.theme);
+  int* const before = ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("chosen"));
+  const int now = ui.state.lessons.chosen ? *ui.state.lessons.chosen + 1 : 0;
+  const bool is_chosen_now = std::exchange(*before, now) != now && now != 0;
   int number = 0;
   for (const LessonRow& row : panel.rows) {
     std::string title = fmt::format("{}  {}", ++number, row.title);
     if (row.done > 0) title += row.done == row.steps ? "  \u2713" : fmt::format("  {}/{}", row.done, row.steps);
-    const Colour ink = row.locked ? ui.colours.dim_text : row.next ? shades.on_accent : ui.colours.text;
+    const Colour ink = row.next ? shades.on_accent : row.locked ? ui.colours.dim_text : ui.colours.text;
     // Where *Finish* was clicked twice a lesson may lie by now.
     if (wide_button(ui, "lesson/" + row.name, title, row.next ? shades.accent : shades.raised, ink, true) &&
         !(ImGui::IsMouseReleased(0) && ImGui::GetIO().MouseClickedLastCount[0] > 1))
       ui.act(action::OpenLesson{row.name});
-    if (is_new && row.next) ImGui::SetScrollHereY(0.35f);
+    if ((is_new || is_chosen_now) && row.next) ImGui::SetScrollHereY(0.35f);
     if (row.locked) tooltip(ui, "lesson/" + row.name, ui.say("lesson.locked"));
   }
   ImGui::Dummy({1, ui.px(6)});
@@ -423,7 +427,7 @@ void LessonPane::draw(const Ui& ui, const Rect& where) {
 bool lesson_by_key(const KeyPress& press, const Ui& ui) {
   const State& state = ui.state;
   // A presenter goes on by the same keys after "Now change something".
-  const bool listens = state.walk.mode == Mode::trace ||
+  const bool listens = state.walk.mode == Mode::trace || chooses_from_list(state) ||
                        (state.walk.mode == Mode::move && state.lessons.presenter && state.lessons.at() != nullptr);
   if (!state.lessons.shown || !listens || press.ctrl || press.alt) return false;
   const LessonPanel panel = lesson_panel(state);
@@ -453,6 +457,10 @@ bool lesson_by_key(const KeyPress& press, const Ui& ui) {
     const int last = static_cast<int>(panel.choices.size()) - 1, by = press.key == "Up" ? -1 : 1;
     const std::optional<int>& now = state.lessons.guess.choice;
     ui.act(action::GuessChoice{now ? std::clamp(*now + by, 0, last) : by > 0 ? 0 : last});
+    return true;
+  }
+  if (state.lessons.at() == nullptr && (press.key == "Up" || press.key == "Down")) {
+    ui.act(action::ChooseLesson{press.key == "Up" ? -1 : 1});
     return true;
   }
   if (press.key != "Enter") return false;

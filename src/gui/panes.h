@@ -117,9 +117,18 @@ class LessonPane {
   int hands_ = 0;          ///< of the class, for this step, in the last frame
 };
 
+/// Whether arrows and Enter are for the list of lessons or of bugs, and not for what is selected in Move.
+inline bool chooses_from_list(const State& state) {
+  const bool lists = (state.lessons.shown && state.lessons.at() == nullptr) || (state.bugs.shown && !state.bugs.hunt);
+  return lists && (state.walk.mode == Mode::trace || (state.walk.mode == Mode::move && !state.plan.selected));
+}
 /// In a lesson's question, digits are for choices (with a presenter, for hands of the class), and Enter for the answer
-/// and the next step. Returns whether the key was one of these.
+/// and the next step; in the list up and down choose, and Enter opens. Returns whether the key was one of these.
 bool lesson_by_key(const KeyPress& press, const Ui& ui);
+/// The same in the list of bugs.
+bool bug_by_key(const KeyPress& press, const Ui& ui);
+/// Up and down turn the arrow that is asked for, or go from thing to thing that a ray may meet. Returns whether it was one.
+bool guess_by_key(const KeyPress& press, const Ui& ui);
 
 /// Spot the bug: the list, or the current hunt.
 void bug_pane(const Ui& ui, const Rect& where);

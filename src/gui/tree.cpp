@@ -120,9 +120,12 @@ TreeLabels labels_of(const Ui& ui, const TreePanel& tree, const std::vector<ImVe
   };
   TreeLabels all;
   std::vector<TreeLabel>& labels = all.by_nodes;
+  // With the room that their plates take.
+  const float apart = ui.px(2 * label_pad) - 1;
   const auto is_free = [&](const Rect& where) {
+    const Rect wide{where.x - apart, where.y, where.width + 2 * apart, where.height};
     return std::none_of(labels.begin(), labels.end(),
-                        [&](const TreeLabel& each) { return labels_cross(each.where, where); });
+                        [&](const TreeLabel& each) { return labels_cross(each.where, wide); });
   };
   const auto has_label = [](const TreeNode& node) { return !node.future && !node.label.empty(); };
   const auto is_whole = [](const TreeNode& node) { return node.current || node.hovered; };

@@ -165,3 +165,43 @@ TEST_CASE("the demo of spot the bug finds it and shows the cure") {
   CHECK(was_mended);
   CHECK(fault_at_work(bench.state) == Fault::reflection_flipped);
 }
+
+TEST_CASE("a bug of the list is chosen by arrows and opened by Enter") {
+  Bench bench(classic_with_lessons());
+  bench.frames(2);
+  bench.key("Shift+F2");
+  bench.key("Enter");
+  CHECK_FALSE(bench.state.bugs.hunt);  // none is chosen yet
+  for (const char* key : {"Up", "Down"}) bench.key(key);
+  CHECK(bench.state.bugs.chosen == static_cast<int>(values_of<Fault>.size()));
+  // It was scrolled into view.
+  bench.frames(2);
+  CHECK(inside(bench.rect("bug/16"), bench.interface().layout().lesson));
+  for (int i = 0; i < 30; ++i) bench.key("Up");
+  CHECK(bench.state.bugs.chosen == 1);
+  for (const char* key : {"Down", "Enter"}) bench.key(key);
+  REQUIRE(bench.state.bugs.hunt);
+  CHECK(bench.state.bugs.hunt->number == 2);
+  bench.key("Down");
+  bench.key("Escape");
+  CHECK_FALSE(bench.state.bugs.hunt);
+  CHECK(bench.state.bugs.shown);
+  bench.key("Escape");
+  CHECK_FALSE(bench.state.bugs.shown);
+}
+
+TEST_CASE("in a hunt the switches for effects say no number of rays that they would bring") {
+  Bench bench(classic_with_lessons());
+  bench.frames(2);
+  bench.key("Shift+E");
+  bench.frames(2);
+  const float counted = bench.rect("effect/shadows").width;
+  update(bench.state, action::HuntBug{2});
+  bench.key("Shift+E");
+  bench.frames(2);
+  if (!bench.state.effects.shown) bench.key("Shift+E");
+  bench.frames(2);
+  REQUIRE(bench.state.effects.rays);
+  CHECK(bench.state.effects.rays->can.none());
+  CHECK(bench.rect("effect/shadows").width < 0.8f * counted);
+}

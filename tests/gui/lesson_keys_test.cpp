@@ -1,8 +1,10 @@
 // What digits do while a lesson asks.
+#include <algorithm>
 #include <string>
 
 #include "gui/bench.h"
 #include "support/catch.h"
+#include "view/lesson/lesson_panel.h"
 
 using namespace raywalk;
 using namespace raywalk::test;
@@ -68,4 +70,40 @@ TEST_CASE("after the answer Enter leads a presenter on, also from Move, where so
   alone.frames(3);
   alone.key("Enter");
   CHECK(alone.state.lessons.step == step);
+}
+
+TEST_CASE("a lesson of the list is chosen by arrows and opened by Enter, and Escape hides the list and the lesson") {
+  Bench bench(classic_with_lessons());
+  bench.frames(2);
+  bench.key("F2");
+  const auto marked = [&] {
+    const std::vector<LessonRow> rows = lesson_panel(bench.state).rows;
+    const auto row = std::find_if(rows.begin(), rows.end(), [](const LessonRow& each) { return each.next; });
+    return row == rows.end() ? std::string() : row->name;
+  };
+  const std::vector<LessonEntry>& list = bench.state.lessons.list;
+  CHECK(marked() == list[0].name);
+  bench.key("Up");
+  CHECK(marked() == list[0].name);
+  for (const char* key : {"Down", "Down"}) bench.key(key);
+  CHECK(marked() == list[2].name);
+  bench.key("Enter");
+  CHECK(bench.state.lessons.at() == nullptr);  // it is locked, which is said
+  CHECK(bench.state.document.notice);
+  bench.key("Escape");
+  CHECK_FALSE(bench.state.document.notice);
+  for (int i = 0; i < 30; ++i) bench.key("Down");
+  CHECK(marked() == list.back().name);
+  bench.key("Escape");
+  CHECK_FALSE(bench.state.lessons.shown);
+  bench.key("F2");
+  CHECK(marked() == list[0].name);
+  bench.key("Enter");
+  REQUIRE(bench.state.lessons.at() != nullptr);
+  const int step = bench.state.lessons.step;
+  bench.key("Escape");
+  CHECK_FALSE(bench.state.lessons.shown);
+  bench.key("F2");
+  REQUIRE(bench.state.lessons.at() != nullptr);
+  CHECK(bench.state.lessons.step == step);
 }

@@ -184,7 +184,7 @@ TEST_CASE("once it is known the bug can be mended and made again, and the other 
     const bool nothing = only_numbers || state.walk.bug->fault == Fault::depth_not_counted;
     CHECK(other_rays(state).empty() == nothing);
     CHECK((items_in(state) == alone) == nothing);
-    CHECK(bug_panel(state).learnt.size() == (nothing ? 2 : 3));
+    CHECK(bug_panel(state).learnt.size() == (nothing || shows_lines(state) ? 2 : 3));
     update(state, action::MendBug{true});
     update(state,
            action::Jump{state.walk.timeline->pixels()[static_cast<std::size_t>(state.bugs.hunt->first_pixel)].done_at});
@@ -202,6 +202,47 @@ TEST_CASE("once it is known the bug can be mended and made again, and the other 
     CHECK(shades(*state.walk.timeline) == broken);
     CHECK(fault_at_work(state) == state.walk.bug->fault);
   }
+}
+
+TEST_CASE("dotted rays are spoken of where they are to be seen, and too short ones are called that") {
+  int too_short = 0;
+  for (int number = 1; number <= static_cast<int>(values_of<Fault>.size()); ++number) {
+    State state = hunting(number);
+    update(state, action::ShowCure{});
+    update(state,
+           action::Jump{state.walk.timeline->pixels()[static_cast<std::size_t>(state.bugs.hunt->first_pixel)].done_at});
+    update(state, action::MendBug{true});
+    const std::vector<BugPassage> learnt = bug_panel(state).learnt;
+    const auto says = [&](std::string_view id) {
+      return std::any_of(learnt.begin(), learnt.end(),
+                         [&](const BugPassage& one) { return one.text == text(id, in_english); });
+    };
+    double longest = 0;
+    for (const RayRecord& ray : other_rays(state))
+      longest = std::max(longest, ray.endless ? 1e9 : length(plan(ray.end) - plan(ray.origin)));
+    CAPTURE(number, longest);
+    CHECK(says("bug.other_rays_broken") == (longest > 0.1 && !shows_lines(state)));
+    CHECK(says("bug.other_rays_short") == (longest < 1e-3 && !other_rays(state).empty()));
+    if (says("bug.other_rays_short")) ++too_short;
+  }
+  CHECK(too_short > 0);
+}
+
+TEST_CASE("each line is told apart from all others of its pseudocode, in every language") {
+  State state = classic_state();
+  for (const Language language : all_languages()) {
+    state.appearance.language = language;
+    for (const Pseudocode& pseudocode : pseudocodes) {
+      std::set<std::string> told;
+      for (const PseudocodeLine& one : pseudocode.lines) {
+        CAPTURE(language.code(), one.text);
+        CHECK(told.insert(line_told(state, one.line)).second);
+      }
+    }
+  }
+  state.appearance.language = in_english;
+  CHECK(line_told(state, Line::find_refract_intersect) == "Find closest intersect (If transparent)");
+  CHECK(line_told(state, Line::shade_refract).find('(') == line_told(state, Line::shade_refract).rfind('('));
 }
 
 TEST_CASE("a bug that is mended and planted again keeps the place, before the first pixel, too") {

@@ -223,6 +223,21 @@ TEST_CASE("acne is called acne, and robust numerics are said to leave") {
   CHECK(row->robust == "leaves");
 }
 
+TEST_CASE("where the surface is not known to the ulp, the sentence says how far naive rays start, as the table does") {
+  const State state = classic_state();
+  Specimen specimen;
+  specimen.ulp = 0.25;
+  specimen.robust = Reading{};
+  specimen.robust->object = 0;
+  specimen.robust->starts = {{}};
+  specimen.naive = specimen.robust;
+  specimen.naive->point = {16, 0, 0};
+  specimen.naive->starts = {{{18, 0, 0}}};
+  const MicroscopeTable table = microscope_table(state, specimen);
+  CHECK(table.sentence.find("64 ulp apart") != std::string::npos);
+  CHECK(table.sentence.find("Naive rays start 8.0 ulp away") != std::string::npos);
+}
+
 TEST_CASE("what leaves a point is not shown while it is to be predicted") {
   State state = walking("classic");
   const auto seen = find(state, [](const Specimen& each) { return each.robust && !each.robust->spawned.empty(); });

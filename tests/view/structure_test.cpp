@@ -10,6 +10,7 @@
 #include "support/languages.h"
 #include "view/space/lines_view.h"
 #include "view/text/text.h"
+#include "view/walk/asked.h"
 
 using namespace raywalk;
 using namespace raywalk::test;
@@ -241,6 +242,18 @@ TEST_CASE("nothing to search and things without end have sentences of their own"
         std::vector<std::string>{fill("structure.note_unbounded", in_english, {{"shapes", "1"}})});
   update(classic, action::GoInStructure{1});
   CHECK(structure_panel(classic).sentence.find(text("structure.test_unbounded", in_english)) != std::string::npos);
+}
+
+TEST_CASE("a ray is not searched for while a prediction asks what it will meet") {
+  State state = searching(classic_state(), 4);
+  REQUIRE(state.structure.searches);
+  update(state, action::SetPredictions{true});
+  REQUIRE(prediction_asked(state)->what == PredictionKind::end);
+  CHECK_FALSE(state.structure.searches);
+  CHECK(structure_panel(state).sentence == text("lesson.predict_first", in_english));
+  update(state, action::GuessEnd{});
+  update(state, action::Step{true});
+  CHECK(state.structure.searches);
 }
 
 TEST_CASE("a ray that a limit forbade is not searched for") {

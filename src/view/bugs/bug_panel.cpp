@@ -1,7 +1,9 @@
 
 #include "view/bugs/bug_panel.h"
+#include "view/plan/plan_view.h"
 #include "view/text/choice_text.h"
 #include "view/text/text.h"
+#include "view/walk/asked.h"
 #include "view/walk/fault.h"
 
 #include <fmt/format.h>
@@ -14,8 +16,13 @@ namespace raywalk {
 
 namespace {
 
-std::string line_text(const State& state, Line line) {
-  return std::string(text(line, state.appearance.code_language()));
+/// Whether one of these is long enough for the plan.
+bool any_is_seen(const State& state, const std::vector<RayRecord>& rays) {
+  constexpr double few = 3;
+  const auto pixels = [&](const Vec3d& at) { return to_pixels(state.plan.camera, state.plan.viewport, plan(at)); };
+  return std::any_of(rays.begin(), rays.end(), [&](const RayRecord& ray) {
+    return ray.endless || length(pixels(ray.end) - pixels(ray.origin)) > few;
+  });
 }
 
 }  // namespace
@@ -48,6 +55,7 @@ BugPanel bug_panel(const State& state) {
       BugRow row{static_cast<int>(i) + 1, bugs.ends[i], {}};
       if (const Integrator its = integrator_of(values_of<Fault>[i]); its != Integrator::automatic)
         row.of = text(its, language);
+      row.chosen = bugs.chosen == row.number;
       panel.rows.push_back(std::move(row));
     }
     return panel;
@@ -63,24 +71,30 @@ BugPanel bug_panel(const State& state) {
     case BugEnd::open:
       panel.said.push_back({{}, say(hunt.from_start ? "bug.task_from_start" : "bug.task", {{"pixel", hunt.pixel}})});
       panel.marked =
-          hunt.marked ? say("bug.line_marked", {{"line", line_text(state, *hunt.marked)}}) : say("bug.no_line_marked");
+          hunt.marked ? say("bug.line_marked", {{"line", line_told(state, *hunt.marked)}}) : say("bug.no_line_marked");
       panel.can_judge = hunt.marked.has_value();
       panel.can_give_up = true;
       if (!hunt.acquitted) return panel;
       if (const std::string_view duty = duty_of(*hunt.acquitted); !duty.empty())
         panel.verdict = say("bug.not_right", {{"duty", say(duty)}});
       else
-        panel.verdict = say("bug.not_right_line", {{"line", line_text(state, *hunt.acquitted)}});
+        panel.verdict = say("bug.not_right_line", {{"line", line_told(state, *hunt.acquitted)}});
       panel.learnt.push_back({say("bug.hint"), know("hint")});
       return panel;
     case BugEnd::found:
     case BugEnd::given_up:
       panel.is_right = hunt.end == BugEnd::found;
       panel.verdict = say(panel.is_right ? "bug.right" : "bug.was",
-                          {{"line", line_text(state, faulty_line(state.walk.bug->fault))}});
+                          {{"line", line_told(state, faulty_line(state.walk.bug->fault))}});
       panel.learnt = {{say("bug.wrong"), know("wrong")}, {say("bug.cure"), know("cure")}};
-      if (!other_rays(state).empty())
-        panel.learnt.push_back({{}, say(state.walk.bug->mended ? "bug.other_rays_broken" : "bug.other_rays_whole")});
+      if (const std::vector<RayRecord> others = other_rays(state); !others.empty() && !shows_lines(state)) {
+        const bool mended = state.walk.bug->mended, seen = any_is_seen(state, others);
+        if (seen || mended)
+          panel.learnt.push_back({{},
+                                  say(!seen    ? "bug.other_rays_short"
+                                      : mended ? "bug.other_rays_broken"
+                                               : "bug.other_rays_whole")});
+      }
       return panel;
   }
   return panel;

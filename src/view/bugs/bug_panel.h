@@ -12,7 +12,8 @@ namespace raywalk {
 struct BugRow {
   int number = 1;
   BugEnd end = BugEnd::open;
-  std::string of{};  ///< whose procedure it breaks; empty: the tracer's
+  std::string of{};     ///< whose procedure it breaks; empty: the tracer's
+  bool chosen = false;  ///< by keys
 };
 struct BugPassage {
   std::string heading, text;

@@ -95,6 +95,7 @@ void end_hunt(State& state, BugEnd end) {
 }  // namespace
 
 void action::ShowBugs::apply(State& state) const {
+  state.bugs.chosen.reset();
   if (!shown) {
     state.bugs.shown = false;
     return LeaveHunt{}.apply(state);
@@ -103,6 +104,12 @@ void action::ShowBugs::apply(State& state) const {
   state.bugs.shown = true;
   state.appearance.front = Front::lesson;
   if (state.walk.mode == Mode::help) state.walk.mode = Mode::trace;
+}
+
+void action::ChooseBug::apply(State& state) const {
+  if (!state.bugs.shown || state.bugs.hunt) return;
+  const int all = static_cast<int>(values_of<Fault>.size());
+  state.bugs.chosen = std::clamp(state.bugs.chosen.value_or(by > 0 ? 0 : all + 1) + by, 1, all);
 }
 
 void action::HuntBug::apply(State& state) const {

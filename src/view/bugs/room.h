@@ -44,6 +44,13 @@ struct HuntBug {
   static void fields(auto& f, auto& a) { f(a.number), f(a.surprise, Flag{"surprise"}); }
   void apply(State& state) const;
 };
+/// In the list by keys: the one so many below the one chosen before.
+struct ChooseBug {
+  static constexpr std::string_view word = "choose-bug";
+  int by;
+  static void fields(auto& f, auto& a) { f(a.by); }
+  void apply(State& state) const;
+};
 /// As the one at fault.
 struct MarkLine {
   static constexpr std::string_view word = "mark-line";
@@ -80,13 +87,14 @@ namespace raywalk {
 
 /// Spot the bug: the hunts of this session.
 struct BugRoom {
-  using Actions = Types<action::ShowBugs, action::HuntBug, action::MarkLine, action::JudgeLine, action::ShowCure,
-                        action::MendBug, action::LeaveHunt>;
+  using Actions = Types<action::ShowBugs, action::HuntBug, action::ChooseBug, action::MarkLine, action::JudgeLine,
+                        action::ShowCure, action::MendBug, action::LeaveHunt>;
   static Commands commands();
   static constexpr Layer layer = Layer::over_rays;
   static void draw_in_plan(Painter& painter);
 
   bool shown = false;
+  std::optional<int> chosen{};  ///< of the list, by keys: its number
   std::optional<BugHunt> hunt{};
   std::array<BugEnd, values_of<Fault>.size()> ends{};  ///< of each bug: the best result
 };

@@ -177,6 +177,8 @@ LessonPanel lesson_panel(const State& state) {
   const PlayedStep* step = sitting.at();
   if (step == nullptr) {
     panel.rows = lesson_rows(sitting, language);
+    if (const std::optional<int>& chosen = sitting.chosen)
+      for (std::size_t i = 0; i < panel.rows.size(); ++i) panel.rows[i].next = static_cast<int>(i) == *chosen;
     return panel;
   }
   const Lesson& lesson = sitting.open->lesson;
@@ -210,8 +212,7 @@ LessonPanel lesson_panel(const State& state) {
                                                                   : Asks::arrow;
     if (panel.asks == Asks::line)
       panel.marked = sitting.guess.line
-                         ? fill("bug.line_marked", language,
-                                {{"line", std::string(text(*sitting.guess.line, state.appearance.code_language()))}})
+                         ? fill("bug.line_marked", language, {{"line", line_told(state, *sitting.guess.line)}})
                          : std::string(text("bug.task_of_lesson", language));
     int hands = 0, hands_right = 0;
     for (std::size_t i = 0; choices != nullptr && i < choices->choices.size() && i < said->choices.size(); ++i) {

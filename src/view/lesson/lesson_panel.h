@@ -13,7 +13,7 @@ struct LessonRow {
   std::string name, title;
   int done = 0, steps = 0;
   bool locked = false;
-  bool next = false;  ///< to go on with
+  bool next = false;  ///< to go on with, or chosen by keys
 };
 struct LessonChoice {
   std::string text;

@@ -304,6 +304,7 @@ void LessonRoom::follow(State& state, const Before& /*before*/) {
 void action::ShowLessons::apply(State& state) const {
   const bool opens = shown && !state.lessons.shown;
   state.lessons.shown = shown;
+  state.lessons.chosen.reset();
   if (!shown) {
     // A fault without its lesson would be confusing.
     if (state.lessons.at() != nullptr) set_bug(state, std::nullopt);
@@ -330,6 +331,14 @@ void action::OpenLesson::apply(State& state) const {
   if (row == rows.end()) return complain(state, fill("lesson.unknown", state.appearance.language, {{"name", name}}));
   if (row->locked) return inform(state, std::string(text("lesson.locked", state.appearance.language)));
   ask_or_do(state, {state.lessons.open ? "question.unsaved_lesson_open" : "question.unsaved_open", begin_lesson}, name);
+}
+
+void action::ChooseLesson::apply(State& state) const {
+  if (!state.lessons.shown || state.lessons.at() != nullptr || state.lessons.list.empty()) return;
+  const std::vector<LessonRow> rows = lesson_panel(state).rows;
+  const auto now = std::find_if(rows.begin(), rows.end(), [](const LessonRow& row) { return row.next; });
+  const int last = static_cast<int>(rows.size()) - 1, from = static_cast<int>(now - rows.begin());
+  state.lessons.chosen = std::clamp(now == rows.end() && by > 0 ? by - 1 : from + by, 0, last);
 }
 
 void action::LeaveLesson::apply(State& state) const {

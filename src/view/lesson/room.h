@@ -86,6 +86,13 @@ struct OpenLesson {
   static constexpr Traits traits{.of_own_scene = true};
   void apply(State& state) const;
 };
+/// In the list by keys: the one so many below what is marked there.
+struct ChooseLesson {
+  static constexpr std::string_view word = "choose-lesson";
+  int by;
+  static void fields(auto& f, auto& a) { f(a.by); }
+  void apply(State& state) const;
+};
 /// Back to the list, and to the previous scene; asks first if the lesson's was changed.
 struct LeaveLesson {
   static constexpr std::string_view word = "leave-lesson";
@@ -174,9 +181,10 @@ struct FirstTries {
 
 /// The lessons: which is open, its current step, the guesses.
 struct LessonRoom {
-  using Actions = Types<action::ShowLessons, action::ListLessons, action::OpenLesson, action::LeaveLesson,
-                        action::GoToLessonStep, action::GuessChoice, action::GuessNumber, action::RevealLesson,
-                        action::ShowHands, action::SetLessonOptions, action::ExchangePanes, action::ShowNotesWindow>;
+  using Actions =
+      Types<action::ShowLessons, action::ListLessons, action::OpenLesson, action::ChooseLesson, action::LeaveLesson,
+            action::GoToLessonStep, action::GuessChoice, action::GuessNumber, action::RevealLesson, action::ShowHands,
+            action::SetLessonOptions, action::ExchangePanes, action::ShowNotesWindow>;
   static Commands commands();
   static void close(State& state);
   static void follow(State& state, const Before& before);
@@ -184,6 +192,7 @@ struct LessonRoom {
   std::string folder, scenes_folder;  ///< of the lessons, and of the shipped scenes; empty: none
   bool shown = false;
   std::vector<LessonEntry> list;  ///< read when lessons are first shown
+  std::optional<int> chosen{};    ///< of `list`, by keys, until a lesson is opened or the list is hidden
   std::shared_ptr<const OpenedLesson> open;
   std::string last;                     ///< the name of the lesson that is or was open; empty: none yet
   std::shared_ptr<const OwnScene> own;  ///< restored when the lesson is left; null: none

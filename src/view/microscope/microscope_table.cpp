@@ -79,7 +79,9 @@ bool goes_wrong(const SpawnedRays& rays) { return rays.hit_own > 0 || rays.astra
 /// Where naive rays start: off the surface, to one side of it or, where some go through it, to either.
 std::string starts_text(const Specimen& specimen, const Reading& naive, Language language) {
   const SpawnPoint& start = naive.starts.front();
-  if (!start.off) return std::string(text("microscope.somewhere", language));
+  if (!start.off)  // where the surface is cannot be said to the ulp
+    return fill("microscope.away", language,
+                {{"ulps", ulps_text(specimen.in_ulps(length(start.place - naive.point)), language)}});
   const bool both = std::any_of(naive.starts.begin(), naive.starts.end(),
                                 [&](const SpawnPoint& other) { return other.off && *other.off * *start.off < 0; });
   if (!both) return off_text(specimen, start.off, language);
@@ -182,9 +184,7 @@ MicroscopeTable microscope_table(const State& state, const Specimen& specimen) {
         const bool knows = specimen.robust && &r == &*specimen.robust;
         if (start.place == r.point && (knows || start.right_side()))
           return std::string(text("microscope.at_point", language));
-        if (start.off) return starts_text(specimen, r, language);
-        return fill("microscope.away", language,
-                    {{"ulps", ulps_text(specimen.in_ulps(length(start.place - r.point)), language)}});
+        return starts_text(specimen, r, language);
       },
       specimen.naive && !specimen.naive->starts.front().right_side());
   if (foretells) return table;

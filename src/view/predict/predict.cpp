@@ -149,6 +149,35 @@ void action::GuessEnd::apply(State& state) const {
   state.predictions.open = Prediction{*asked, Vec2d(0.0), {met.kind, met.index}};
 }
 
+void action::TurnGuess::apply(State& state) const {
+  const auto origin = aim_origin(state);
+  if (!origin) return;
+  std::optional<Vec2d> arrow;
+  if (arrow_origin(state))
+    arrow = state.lessons.guess.arrow;
+  else if (const auto& open = state.predictions.open; open && open->of == prediction_asked(state))
+    arrow = open->arrow;
+  if (!arrow) return GuessAngle{90}.apply(state);
+  GuessAngle{std::atan2(arrow->y, arrow->x) * 180 / std::numbers::pi + degrees}.apply(state);
+}
+
+void action::NextGuess::apply(State& state) const {
+  const auto asked = prediction_asked(state);
+  if (!asked || asked->what != PredictionKind::end) return;
+  const int objects = static_cast<int>(state.scene().objects.size());
+  const int all = objects + static_cast<int>(state.scene().lights.size()) + 1;
+  int at = by > 0 ? -1 : 0;
+  if (const auto& open = state.predictions.open; open && open->of == *asked) {
+    const Target& met = open->met;
+    at = met.kind == TargetKind::object ? met.index : met.kind == TargetKind::light ? objects + met.index : all - 1;
+  }
+  at = ((at + by) % all + all) % all;
+  GuessEnd{at < objects   ? Target{TargetKind::object, at}
+           : at < all - 1 ? Target{TargetKind::light, at - objects}
+                          : Target{}}
+      .apply(state);
+}
+
 void action::AskSavePredictions::apply(State& state) const {
   if (state.predictions.made.empty())
     return inform(state, std::string(text("predict.nothing_to_save", state.appearance.language)));

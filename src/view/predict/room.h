@@ -71,11 +71,25 @@ struct GuessAngle {
   static void fields(auto& f, auto& a) { f(a.degrees); }
   void apply(State& state) const;
 };
+/// The arrow that there is; else the first one points up.
+struct TurnGuess {
+  static constexpr std::string_view word = "turn-guess";
+  double degrees;  ///< to the left
+  static void fields(auto& f, auto& a) { f(a.degrees); }
+  void apply(State& state) const;
+};
 /// Only if asked for.
 struct GuessEnd {
   static constexpr std::string_view word = "guess-end";
   Target met;  ///< an object, a light or nothing
   static void fields(auto& f, auto& a) { f(a.met); }
+  void apply(State& state) const;
+};
+/// In place of it the one so many farther in the scene: of its objects, its lights, and nothing.
+struct NextGuess {
+  static constexpr std::string_view word = "next-guess";
+  int by;
+  static void fields(auto& f, auto& a) { f(a.by); }
   void apply(State& state) const;
 };
 struct AskSavePredictions {
@@ -97,8 +111,8 @@ namespace raywalk {
 
 /// Predictions on any walk. For this session only.
 struct PredictRoom {
-  using Actions = Types<action::SetPredictions, action::GuessWay, action::GuessAngle, action::GuessEnd,
-                        action::AskSavePredictions, action::SavePredictions>;
+  using Actions = Types<action::SetPredictions, action::GuessWay, action::GuessAngle, action::TurnGuess,
+                        action::GuessEnd, action::NextGuess, action::AskSavePredictions, action::SavePredictions>;
   static Commands commands();
   static constexpr Layer layer = Layer::on_top;
   static void draw_in_plan(Painter& painter);

@@ -97,7 +97,7 @@ class PanelWords {
         panel_.sentence = say("structure.being_searched");
         return;
       }
-      if (withholds_answer(state_)) {
+      if (withholds_end(state_)) {
         panel_.sentence = say("lesson.predict_first");
         return;
       }

@@ -34,9 +34,9 @@ bool is_off_plan(const State& state, const Bounds<double>& box) {
 
 namespace {
 
-/// The current ray, if it was formed. None while a lesson asks: its search would reveal the answer.
+/// The current ray, if it was formed. None while its end is asked for: its search would reveal the answer.
 int ray_in_hand(const State& state) {
-  if (withholds_answer(state)) return -1;
+  if (withholds_end(state)) return -1;
   const int ray = state.walk.timeline->current_ray(state.walk.position);
   return ray >= 0 && state.walk.timeline->rays()[static_cast<std::size_t>(ray)].formed ? ray : -1;
 }

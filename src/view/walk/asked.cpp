@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <variant>
 
@@ -111,6 +112,12 @@ bool withholds_answer(const State& state) {
   return state.walk.mode == Mode::move && state.lessons.shown && is_open_question(state.lessons);
 }
 
+bool withholds_end(const State& state) {
+  if (withholds_answer(state)) return true;
+  const auto asked = prediction_asked(state);
+  return asked && asked->what == PredictionKind::end;
+}
+
 bool hides_rays_to_come(const State& state) { return withholds_answer(state) || state.predictions.on; }
 
 std::optional<Vec2d> arrow_origin(const State& state) {
@@ -180,6 +187,23 @@ std::string question_with_answer(const PlayedLesson& played, std::size_t i, cons
     question += "\n\n" + std::string(text(faulty_line(*step.walk->fault), language)) + " \u2713";
   }
   return question;
+}
+
+std::string line_told(const State& state, Line line) {
+  const Language language = state.appearance.code_language();
+  const std::string_view told = text(line, language);
+  const auto& lines = pseudocode_with(line).lines;
+  const auto its =
+      std::find_if(lines.begin(), lines.end(), [&](const PseudocodeLine& one) { return one.line == line; });
+  const bool is_alone = std::none_of(lines.begin(), lines.end(), [&](const PseudocodeLine& one) {
+    return one.line != line && text(one.line, language) == told;
+  });
+  const auto governs = [&](const PseudocodeLine& one) {
+    return one.procedure == its->procedure && one.indent < its->indent;
+  };
+  const auto head = std::find_if(std::make_reverse_iterator(its), lines.rend(), governs);
+  if (is_alone || head == lines.rend()) return std::string(told);
+  return fmt::format("{} ({})", told, text(head->line, language));
 }
 
 }  // namespace raywalk

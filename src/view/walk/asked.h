@@ -29,6 +29,8 @@ void ask_to_predict(State& state);
 /// in Move, whatever the scene is by then.
 [[nodiscard]] bool withholds_answer(const State& state);
 
+/// Whether what the current ray will meet must not be shown: a lesson or a prediction asks.
+[[nodiscard]] bool withholds_end(const State& state);
 /// Whether rays to come must not be shown: they would be the answer.
 [[nodiscard]] bool hides_rays_to_come(const State& state);
 
@@ -65,5 +67,7 @@ void forget_aim(State& state);
 [[nodiscard]] bool asks_for_line(const State& state);
 /// The line marked as faulty, in a hunt or in a lesson.
 [[nodiscard]] std::optional<Line> marked_line(const State& state);
+/// A line as the code shows it; where another one reads the same, with the line that governs it.
+[[nodiscard]] std::string line_told(const State& state, Line line);
 
 }  // namespace raywalk
