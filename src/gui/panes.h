@@ -127,7 +127,8 @@ inline bool chooses_from_list(const State& state) {
 bool lesson_by_key(const KeyPress& press, const Ui& ui);
 /// The same in the list of bugs.
 bool bug_by_key(const KeyPress& press, const Ui& ui);
-/// Up and down turn the arrow that is asked for, or go from thing to thing that a ray may meet. Returns whether it was one.
+/// Up and down turn the arrow that is asked for, or go from thing to thing that a ray may meet. Returns whether it was
+/// one.
 bool guess_by_key(const KeyPress& press, const Ui& ui);
 
 /// Spot the bug: the list, or the current hunt.

@@ -13,8 +13,8 @@
 //
 // Materials are those of trace/path.h, and so are the differences from SHADE. Radiance does not change when it is
 // refracted, as Whitted has it; so the power of a photon does, by (n1 / n2)^2. Where it errs: what translucent glass
-// (`translucency` with an `ior` above 1) scatters lies in a cone about the refracted ray, seen from the light as from the
-// eye; turned round, the one is wider than the other by the index.
+// (`translucency` with an `ior` above 1) scatters lies in a cone about the refracted ray, seen from the light as from
+// the eye; turned round, the one is wider than the other by the index.
 //
 // In a flat world everything is endless along z and light stays in the plane z = 0: angles in place of solid angles, 2
 // in place of pi, and the light at a point is k / (2 r_k) in place of k / (pi r_k^2). A rough lobe is sampled in space
