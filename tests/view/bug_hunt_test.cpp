@@ -232,9 +232,9 @@ TEST_CASE("each line is told apart from all others of its pseudocode, in every l
   State state = classic_state();
   for (const Language language : all_languages()) {
     state.appearance.language = language;
-    for (const Pseudocode& pseudocode : pseudocodes) {
+    for (const Pseudocode& each : pseudocodes) {
       std::set<std::string> told;
-      for (const PseudocodeLine& one : pseudocode.lines) {
+      for (const PseudocodeLine& one : each.lines) {
         CAPTURE(language.code(), one.text);
         CHECK(told.insert(line_told(state, one.line)).second);
       }
