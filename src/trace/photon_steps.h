@@ -161,6 +161,32 @@ auto PhotonTracer<Policy>::adjoint(const Vertex& at, Lobe lobe, const Vec3<T>& d
   return 1;
 }
 
+/// An eye sees through translucent glass what lies in a cone about its refracted ray. To be seen by it, a photon turns
+/// on its own side, into any direction of such a cone about where it came from, and that is refracted.
+template <class Policy>
+auto PhotonTracer<Policy>::bent_translucently(const Vertex& at, const Vec2<T>& unit) const -> BsdfSample {
+  const Vec3<T>&geometric = at.bsdf.geometric_normal, &shading = at.bsdf.shading_normal;
+  const auto folded = [&](const Vec3<T>& along) { return along - 2 * dot(along, geometric) * geometric; };
+  const auto into_plane = [&](Vec3<T> along) {
+    if (settings_.flat) along.z = 0;
+    return normalize(along);
+  };
+  BsdfSample choice{Lobe::transparent, at.bsdf.transparent_axis, Rgb<T>(0),
+                    uniform_cone_pdf(at.bsdf.transparent_width)};
+  Vec3<T> turned =
+      into_plane(Basis<T>(at.bsdf.incident).to_world(sample_uniform_cone(unit, at.bsdf.transparent_width)));
+  if (!(dot(turned, geometric) < 0)) turned = folded(turned);
+  const Refraction<T> bends = refraction_at(turned, shading, at.refraction.n1, at.refraction.n2);
+  const std::optional<Vec3<T>> direction = refract(turned, shading, bends);
+  if (!direction) return choice;  // no eye refracts into it
+  choice.direction = into_plane(*direction);
+  if (!(dot(choice.direction, geometric) < 0)) choice.direction = folded(choice.direction);
+  const T ratio = at.refraction.n1 / at.refraction.n2, bent = settings_.flat ? ratio : ratio * ratio;
+  choice.weight = at.bsdf.transparent * (bent * std::abs(dot(turned, geometric) / dot(at.bsdf.incident, geometric)));
+  if (at.surface->dielectric) choice.weight *= (1 - bends.fresnel()) / (1 - at.refraction.fresnel());
+  return choice;
+}
+
 template <class Policy>
 auto PhotonTracer<Policy>::choose_photon_direction(const PhotonRay& photon, const Vertex& at)
     -> std::optional<BsdfSample> {
@@ -178,8 +204,14 @@ auto PhotonTracer<Policy>::choose_photon_direction(const PhotonRay& photon, cons
       unit.y = random_unit<T>(key_at(at.length, detail::PhotonDimension::direction + 1));
       statistics_.drew(detail::effect_of(lobe, at.bsdf.by_facets()), 2);
     }
-    choice = sample_alone(at.bsdf, lobe, unit, u);
-    choice->weight *= adjoint(at, choice->lobe, choice->direction) / at.bsdf.probability_of_choice(lobe);
+    const T chance = at.bsdf.probability_of_choice(lobe);
+    if (lobe == Lobe::transparent && bends_translucently(at)) {
+      choice = bent_translucently(at, unit);
+      choice->weight *= 1 / chance;
+    } else {
+      choice = sample_alone(at.bsdf, lobe, unit, u);
+      choice->weight *= adjoint(at, choice->lobe, choice->direction) / chance;
+    }
     // Along a surface, the power of what is sent on would be infinite.
     if (const T most = max_component(choice->weight); !(most > 0) || std::isinf(most)) choice.reset();
   }

@@ -12,9 +12,9 @@
 // holds all photons, those straight from a source too.
 //
 // Materials are those of trace/path.h, and so are the differences from SHADE. Radiance does not change when it is
-// refracted, as Whitted has it; so the power of a photon does, by (n1 / n2)^2. Where it errs: what translucent glass
-// (`translucency` with an `ior` above 1) scatters lies in a cone about the refracted ray, seen from the light as from
-// the eye; turned round, the one is wider than the other by the index.
+// refracted, as Whitted has it; so the power of a photon does, by (n1 / n2)^2. Where it errs: an eye sees through
+// translucent glass light that comes at an angle beyond the critical one, if its cone reaches so far; a photon at such
+// an angle is reflected.
 //
 // In a flat world everything is endless along z and light stays in the plane z = 0: angles in place of solid angles, 2
 // in place of pi, and the light at a point is k / (2 r_k) in place of k / (pi r_k^2). A rough lobe is sampled in space
@@ -244,6 +244,12 @@ class PhotonTracer {
 
   /// A direction of this lobe alone, and its weight without the chance of the lobe.
   [[nodiscard]] BsdfSample sample_alone(const SurfaceBsdf& bsdf, Lobe lobe, const Vec2<T>& unit, T chosen_by = 0) const;
+  /// Whether what it transmits is refracted and scattered.
+  [[nodiscard]] static bool bends_translucently(const Vertex& at) {
+    return at.bsdf.transparent_width > 0 && !at.bsdf.by_facets() && at.refraction.n1 != at.refraction.n2;
+  }
+  /// The same of such a lobe, with what `adjoint` takes into account.
+  [[nodiscard]] BsdfSample bent_translucently(const Vertex& at, const Vec2<T>& unit) const;
   /// The integral of the cosine over all directions above a surface.
   [[nodiscard]] T cosines() const { return settings_.flat ? T(2) : pi_v<T>; }
 
