@@ -67,7 +67,9 @@ Commands DocumentRoom::commands() {
        .line = "keys.edit", .enabled = can_remove, .run = act<action::RemoveSelected>},
       {.name = "deselect", .section = Section::select, .enabled = selects, .run = act<action::Select>},
       {.name = "undo", .keys = {"Ctrl+Z"}, .section = Section::undo, .line = "keys.undo",
-       .enabled = [](const State& state) { return state.ink.begun || !state.document.undo.empty() || state.bugs.hunt; },
+       .enabled = [](const State& state) {
+         return state.ink.begun || !state.document.undo.empty() || (state.bugs.hunt && state.bugs.hunt->is_new());
+       },
        .run = act<action::Undo>},
       {.name = "redo", .keys = {"Ctrl+Y", "Ctrl+Shift+Z"}, .section = Section::undo, .line = "keys.undo",
        .enabled = [](const State& state) { return !state.document.redo.empty(); }, .run = act<action::Redo>},

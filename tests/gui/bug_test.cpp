@@ -94,6 +94,11 @@ TEST_CASE("a bug by keys: a surprise, Enter marks and asks, Y gives up, Q mends,
   update(bench.state, action::HuntBug{3});
   bench.key("Ctrl+Z");
   CHECK_FALSE(bench.state.bugs.hunt);
+  // What was found out is not thrown away.
+  update(bench.state, action::HuntBug{3});
+  bench.key("Shift+Enter");
+  bench.key("Ctrl+Z");
+  CHECK(bench.state.bugs.hunt);
 }
 
 TEST_CASE("everything of a hunt fits into its pane, in both languages, at every size") {

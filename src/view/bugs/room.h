@@ -25,6 +25,9 @@ struct BugHunt {
   std::optional<Line> acquitted{};  ///< the last one judged innocent
   BugEnd end = BugEnd::open;
   std::shared_ptr<const State> before{};  ///< the previous state, to return to
+
+  /// Whether no line was marked and nothing was told.
+  [[nodiscard]] bool is_new() const { return !marked && !acquitted && end == BugEnd::open; }
 };
 
 }  // namespace raywalk

@@ -216,8 +216,8 @@ bool commit_if_valid(State& state, Scene next, int object, int light, EditMark m
 void action::Undo::apply(State& state) const {
   // What is begun is the last that was done.
   if (state.ink.begun) return LeaveInk{}.apply(state);
-  // Once all edits in a hunt are undone, undo leaves the hunt.
-  if (state.document.undo.empty() && state.bugs.hunt) return LeaveHunt{}.apply(state);
+  // It leaves a hunt in which nothing was done; what was found out in one is not thrown away.
+  if (state.document.undo.empty() && state.bugs.hunt && state.bugs.hunt->is_new()) return LeaveHunt{}.apply(state);
   step_history(state, state.document.undo, state.document.redo, "notice.nothing_to_undo");
 }
 
