@@ -231,7 +231,8 @@ TEST_CASE("a ray that depth forbids is beyond the depth, also where the effects 
     const auto* stub = std::get_if<RayNotFormed>(&state.walk.timeline->event(position - 1).detail);
     if (stub == nullptr || stub->why != Ending::depth) continue;
     state.walk.position = position;
-    const EquationRow* row = row_with(equation_panel(state), " > ");
+    const EquationPanel panel = equation_panel(state);
+    const EquationRow* row = row_with(panel, " > ");
     REQUIRE(row != nullptr);
     CHECK(row->values == std::vector<double>{2, 1, 2});
     ++seen;
